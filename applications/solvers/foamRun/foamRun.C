@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/* Application
+    foamRun
+Description
+    Runs the flow solver named in system/controlDict or by -solver: the time
+    loop and the order of the steps; what the steps do is the solver's part.
+Usage
+    \b foamRun [-solver name] [-check | -postProcess]
+      - \par -solver name
+        The solver, for example incompressibleFluid; goes before the entry
+        solver of system/controlDict.
+      - \par -check
+        Read and build all, report, make no time step.
+      - \par -postProcess
+        Run function objects on the stored times. */
+
+#include "fvCFD.H"
+#include "flowSolver.H"
+#include "functionObjectList.H"
+
+#define CREATE_MESH createDynamicFvMesh.H
+#define CREATE_FIELDS createFlowSolver.H
+#define NO_CONTROL
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Run the selected flow solver");
+    argList::addOption
+    (
+        "solver",
+        "name",
+        "Flow solver, instead of the entry solver in system/controlDict"
+    );
+    argList::addBoolOption
+    (
+        "check",
+        "Read and build everything, report and stop without a time step"
+    );
+
+    #include "postProcess.H"
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createDynamicFvMesh.H"
+    #include "createFlowSolver.H"
+
+    flowSolver& solver = solverPtr();
+
+    if (args.found("check"))
+    {
+        solver.check();
+
+        Info<< "\nEnd\n" << endl;
+
+        return 0;
+    }
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        solver.preSolve();
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        while (solver.outerLoop())
+        {
+            solver.moveMesh();
+            solver.motionCorrector();
+            solver.prePredictor();
+            solver.momentumTransportPredictor();
+            solver.momentumPredictor();
+            solver.pressureCorrector();
+            solver.momentumTransportCorrector();
+        }
+
+        solver.postSolve();
+
+        runTime.write();
+
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "incompressibleFluid.H"
+#include "adjustPhi.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "fvcDdt.H"
+#include "fvcFlux.H"
+#include "fvcGrad.H"
+#include "fvcMeshPhi.H"
+#include "fvcSnGrad.H"
+#include "fvmLaplacian.H"
+
+
+void Foam::flowSolvers::incompressibleFluid::continuityErrors()
+{
+    const volScalarField contErr(fvc::div(phi_));
+
+    const scalar sumLocal =
+        runTime_.deltaTValue()
+       *mag(contErr)().weightedAverage(mesh_.V()).value();
+
+    const scalar global =
+        runTime_.deltaTValue()*contErr.weightedAverage(mesh_.V()).value();
+
+    cumulativeContErr.value() += global;
+
+    Info<< "time step continuity errors : sum local = " << sumLocal
+        << ", global = " << global
+        << ", cumulative = " << cumulativeContErr.value() << endl;
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::correctPressure()
+{
+    fvVectorMatrix& UEqn = tUEqn.ref();
+
+    volScalarField rAU(1.0/UEqn.A());
+    volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA));
+
+    // The default is what the versions without this switch do
+    if (pimple_.dict().lookupOrDefault("ddtCorr", true))
+    {
+        phiHbyA +=
+            MRF.zeroFilter
+            (
+                fvc::interpolate(rAU)*fvc::ddtCorr(U_, phi_, Uf)
+            );
+    }
+
+    MRF.makeRelative(phiHbyA);
+
+    if (p_.needReference())
+    {
+        fvc::makeRelative(phiHbyA, U_);
+        adjustPhi(phiHbyA, U_, p_);
+        fvc::makeAbsolute(phiHbyA, U_);
+    }
+
+    tmp<volScalarField> rAtU(rAU);
+
+    // SIMPLEC: the neighbours' corrections go to the diagonal; the bound
+    // keeps it positive
+    if (pimple_.consistent())
+    {
+        rAtU = 1.0/max(1.0/rAU - UEqn.H1(), 0.1/rAU);
+        phiHbyA +=
+            fvc::interpolate(rAtU() - rAU)*fvc::snGrad(p_)*mesh_.magSf();
+        HbyA -= (rAU - rAtU())*fvc::grad(p_);
+    }
+
+    // Frees memory before the linear solver needs it
+    if (pimple_.nCorrPISO() <= 1)
+    {
+        tUEqn.clear();
+    }
+
+    constrainPressure(p_, U_, phiHbyA, rAtU(), MRF);
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix pEqn
+        (
+            fvm::laplacian(rAtU(), p_) == fvc::div(phiHbyA)
+        );
+
+        pEqn.setReference(pRefCell, pRefValue);
+
+        pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            phi_ = phiHbyA - pEqn.flux();
+        }
+    }
+
+    continuityErrors();
+
+    // For the next momentum equation only: the flux keeps the full pressure
+    p_.relax();
+
+    U_ = HbyA - rAtU*fvc::grad(p_);
+    U_.correctBoundaryConditions();
+    fvOptions.correct(U_);
+
+    fvc::correctUf(Uf, U_, phi_);
+
+    fvc::makeRelative(phi_, U_);
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::pressureCorrector()
+{
+    while (pimple_.correct())
+    {
+        correctPressure();
+    }
+
+    tUEqn.clear();
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "incompressibleFluid.H"
+#include "fvcSurfaceIntegrate.H"
+
+namespace
+{
+    //- Largest Courant number of a flux; prints it after the mean
+    Foam::scalar courantNo
+    (
+        const Foam::surfaceScalarField& phi,
+        const char* prefix
+    )
+    {
+        using namespace Foam;
+
+        const fvMesh& mesh = phi.mesh();
+        const scalar deltaT = mesh.time().deltaTValue();
+
+        const scalarField sumPhi
+        (
+            fvc::surfaceSum(mag(phi))().primitiveField()
+        );
+
+        const scalar CoNum = 0.5*gMax(sumPhi/mesh.V().field())*deltaT;
+        const scalar meanCoNum =
+            0.5*(gSum(sumPhi)/gSum(mesh.V().field()))*deltaT;
+
+        Info<< prefix << "Courant Number mean: " << meanCoNum
+            << " max: " << CoNum << endl;
+
+        return CoNum;
+    }
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::readControls()
+{
+    const dictionary& timeDict = runTime_.controlDict();
+    adjustTimeStep = timeDict.lookupOrDefault("adjustTimeStep", false);
+    maxCo = timeDict.lookupOrDefault<scalar>("maxCo", 1);
+    maxDeltaT = timeDict.lookupOrDefault<scalar>("maxDeltaT", GREAT);
+
+    // An entry that is removed during the run keeps its value
+    const dictionary& dict = pimple_.dict();
+    dict.readIfPresent("correctPhi", correctPhi);
+    dict.readIfPresent("checkMeshCourantNo", checkMeshCourantNo);
+    dict.readIfPresent("moveMeshOuterCorrectors", moveMeshOuterCorrectors);
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::correctCoNum()
+{
+    CoNum = courantNo(phi_, "");
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::meshCourantNo() const
+{
+    courantNo(mesh_.phi(), "Mesh ");
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::setInitialDeltaT()
+{
+    if (adjustTimeStep && runTime_.timeIndex() == 0 && CoNum > SMALL)
+    {
+        const scalar deltaT = runTime_.deltaTValue();
+
+        runTime_.setDeltaT(min(maxCo*deltaT/CoNum, min(deltaT, maxDeltaT)));
+    }
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::adjustDeltaT()
+{
+    if (!adjustTimeStep)
+    {
+        return;
+    }
+
+    // Grow slowly, shrink at once
+    const scalar limit = maxCo/(CoNum + SMALL);
+    const scalar factor = min(min(limit, 1 + 0.1*limit), 1.2);
+
+    runTime_.setDeltaT(min(factor*runTime_.deltaTValue(), maxDeltaT));
+
+    Info<< "deltaT = " << runTime_.deltaTValue() << endl;
+}
