@@ -41,7 +41,7 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolver::New
             << "Unknown solver " << solverName << nl
             << "given by the option -solver or by the entry solver in "
             << mesh.time().system()/"controlDict" << nl << nl
-            << "Valid solvers: " << validNames() << nl
+            << "Valid solvers: " << flatOutput(validNames()) << nl
             << exit(FatalError);
     }
 
@@ -67,7 +67,7 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolver::New
             << "No solver is selected: add the entry solver to "
             << mesh.time().system()/"controlDict"
             << " or use the option -solver <name>" << nl << nl
-            << "Valid solvers: " << validNames() << nl
+            << "Valid solvers: " << flatOutput(validNames()) << nl
             << exit(FatalError);
     }
 
@@ -112,12 +112,15 @@ void Foam::flowSolver::check()
     }
     Foam::sort(names);
 
+    wordList patchNames(mesh_.boundaryMesh().names());
+    patchNames.resize(mesh_.boundaryMesh().nNonProcessor());
+
     Info<< nl << "Checking the case " << runTime_.globalCaseName() << nl
         << "    cells            " << mesh_.globalData().nTotalCells() << nl
-        << "    faces            " << mesh_.globalData().nTotalFaces() << nl
-        << "    patches          " << mesh_.boundaryMesh().names() << nl
+        << "    patches          "
+        << flatOutput(patchNames) << nl
         << "    moving mesh      " << Switch(mesh_.dynamic()) << nl
-        << "    fields to write  " << names << nl
+        << "    fields to write  " << flatOutput(names) << nl
         << "    start time       " << runTime_.timeName() << nl
         << "    end time         " << runTime_.endTime().value() << nl
         << "    deltaT           " << runTime_.deltaTValue() << endl;

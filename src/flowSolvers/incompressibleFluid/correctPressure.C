@@ -31,13 +31,18 @@ void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 }
 
 
-void Foam::flowSolvers::incompressibleFluid::correctPressure()
+Foam::tmp<Foam::surfaceScalarField>
+Foam::flowSolvers::incompressibleFluid::predictFlux
+(
+    const volScalarField& rAU,
+    const volVectorField& HbyA
+)
 {
-    fvVectorMatrix& UEqn = tUEqn.ref();
-
-    volScalarField rAU(1.0/UEqn.A());
-    volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    surfaceScalarField phiHbyA("phiHbyA", fvc::flux(HbyA));
+    tmp<surfaceScalarField> tphiHbyA
+    (
+        new surfaceScalarField("phiHbyA", fvc::flux(HbyA))
+    );
+    surfaceScalarField& phiHbyA = tphiHbyA.ref();
 
     // The default is what the versions without this switch do
     if (pimple_.dict().lookupOrDefault("ddtCorr", true))
@@ -57,6 +62,19 @@ void Foam::flowSolvers::incompressibleFluid::correctPressure()
         adjustPhi(phiHbyA, U_, p_);
         fvc::makeAbsolute(phiHbyA, U_);
     }
+
+    return tphiHbyA;
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::correctPressure()
+{
+    fvVectorMatrix& UEqn = tUEqn.ref();
+
+    volScalarField rAU(1.0/UEqn.A());
+    volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    tmp<surfaceScalarField> tphiHbyA(predictFlux(rAU, HbyA));
+    surfaceScalarField& phiHbyA = tphiHbyA.ref();
 
     tmp<volScalarField> rAtU(rAU);
 

@@ -135,11 +135,11 @@ void Foam::flowSolvers::incompressibleFluid::check()
         << "    fvOptions        " << fvOptions.optionList::size() << nl
         << "    outer, pressure, non-orthogonal correctors  "
         << pimple_.nCorrPIMPLE() << ' ' << pimple_.nCorrPISO() << ' '
-        << pimple_.nNonOrthCorr() << nl << "    ";
-    correctCoNum();
+        << pimple_.nNonOrthCorr() << nl
+        << "    Courant number   " << CoNum << endl;
 
-    // The schemes, solvers and function objects are looked up when they are
-    // first used: use them now, so that a missing one stops here
+    // Schemes, linear solvers and function objects are looked up when first
+    // used: use them now, so that a missing one stops the check
     assembleMomentum();
 
     for (const bool final : {false, true})
