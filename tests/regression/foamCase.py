@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A copy of an OpenFOAM case that a test may edit and run.
+
+    case = FoamCase("tutorials/settlingDisc", tmp_path)
+    case.set("system/controlDict", "endTime", 0.1)
+    case.run("blockMesh")
+    case.run("foamRun")
+    t, x, y = case.read_dat("postProcessing/body/0/position.dat").T
+
+The programs are taken from PATH: etc/bashrc has been sourced.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+
+class FoamError(Exception):
+    """A program failed; the message ends with the end of its log."""
+
+
+class FoamCase:
+    """The case folder `source`, copied to `tmp_path` (0.orig becomes 0)."""
+
+    def __init__(self, source, tmp_path, name=None):
+        source = Path(source)
+        self.path = Path(tmp_path) / (name or source.name)
+        shutil.copytree(source, self.path)
+        if (self.path / "0.orig").is_dir():
+            shutil.copytree(self.path / "0.orig", self.path / "0")
+
+    def run(self, app, *args, ranks=1):
+        """Run a program, return its log; FoamError if it fails.
+
+        On several ranks the case must have been decomposed before, by
+        run("decomposePar").
+        """
+        command = [app, *map(str, args)]
+        if ranks > 1:
+            command = [
+                "mpirun", "--oversubscribe", "-np", str(ranks),
+                *command, "-parallel",
+            ]
+        environment = dict(
+            os.environ,
+            OMPI_ALLOW_RUN_AS_ROOT="1",
+            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        )
+        done = subprocess.run(
+            command, cwd=self.path, env=environment, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        )
+        (self.path / f"log.{app}").write_text(done.stdout)
+        if done.returncode != 0:
+            tail = "\n".join(done.stdout.splitlines()[-40:])
+            raise FoamError(f"{' '.join(command)} in {self.path}\n{tail}")
+        return done.stdout
+
+    def set(self, file, entry, value):
+        """Set or add an entry, "a/b" being b in the dictionary a."""
+        value = str(value)
+        self.run(
+            "foamDictionary", "-disableFunctionEntries", file,
+            "-entry", entry, "-set", value,
+        )
+
+    def times(self, folder="."):
+        """Names of the time folders, in order; `folder`: e.g. processor0."""
+        names = (entry.name for entry in (self.path / folder).iterdir())
+        number = re.compile(r"\d+(\.\d*)?(e[-+]?\d+)?")
+        return sorted(filter(number.fullmatch, names), key=float)
+
+    def latest_time(self, folder="."):
+        """Name of the last time folder."""
+        return self.times(folder)[-1]
+
+    def read_dat(self, path):
+        """Rows of numbers of a .dat file; brackets of vectors are dropped."""
+        with open(self.path / path) as file:
+            lines = [re.sub("[()]", " ", line) for line in file]
+        return np.loadtxt(lines, comments="#", ndmin=2)
