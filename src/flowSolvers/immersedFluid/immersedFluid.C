@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "addToRunTimeSelectionTable.H"
+#include "compat.H"
+#include "functionObject.H"
+#include "fvcFlux.H"
+
+namespace Foam
+{
+namespace flowSolvers
+{
+    defineTypeNameAndDebug(immersedFluid, 0);
+    addToRunTimeSelectionTable(flowSolver, immersedFluid, dynamicFvMesh);
+}
+}
+
+
+Foam::autoPtr<Foam::volScalarField>
+Foam::flowSolvers::immersedFluid::newIncrement(const volScalarField& p)
+{
+    const fvMesh& mesh = p.mesh();
+    wordList types(mesh.boundary().size(), "zeroGradient");
+
+    forAll(types, patchi)
+    {
+        if (p.boundaryField()[patchi].fixesValue())
+        {
+            types[patchi] = "fixedValue";
+        }
+    }
+
+    return autoPtr<volScalarField>
+    (
+        new volScalarField
+        (
+            IOobject("dp", mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar(p.dimensions(), Zero),
+            types
+        )
+    );
+}
+
+
+Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
+:
+    incompressibleFluid(mesh),
+    bodies_(immersedBodies::New(mesh)),
+    uniformViscosity_
+    (
+        momentumTransport->type() == "Stokes"
+     && laminarTransport.get<word>("transportModel") == "Newtonian"
+    ),
+    stokes_
+    (
+        immersed()
+     && word(mesh.divScheme("div(phi,U)")) == "none"
+    ),
+    outer_(0),
+    converged_(false),
+    startTime_(mesh.time().value())
+{
+    if (!immersed())
+    {
+        Info<< "No immersed bodies: solving as incompressibleFluid" << nl
+            << endl;
+        return;
+    }
+
+    checkSettings();
+    dp_ = newIncrement(p_);
+    mesh_.setFluxRequired(dp_->name());
+    compat::setFinalIteration(mesh_, true);
+
+    if (!functionObject::postProcess)
+    {
+        initialise();
+    }
+
+    bodies_->report(Info);
+    Info<< "    skipped: "
+        << (bodies_->anyFree() ? "" : "motion of bodies, ")
+        << (stokes_ ? "convection, " : "")
+        << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
+        << "contact" << nl << endl;
+}
+
+
+void Foam::flowSolvers::immersedFluid::checkSettings() const
+{
+    if (mesh_.dynamic())
+    {
+        FatalErrorInFunction
+            << "Immersed bodies need a mesh at rest; remove"
+            << " constant/dynamicMeshDict or choose"
+            << " 'dynamicFvMesh staticFvMesh' there" << nl
+            << exit(FatalError);
+    }
+
+    // Refuses schemes that the bodies' equations do not follow
+    ddtCoefficients(mesh_, U_.name());
+}
+
+
+void Foam::flowSolvers::immersedFluid::initialise()
+{
+    if (!bodies_->restarted())
+    {
+        bodies_->setAmbient(U_);
+        bodies_->setRigidMotion(U_);
+        phi_ = fvc::flux(U_);
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::preSolve()
+{
+    if (!immersed())
+    {
+        incompressibleFluid::preSolve();
+        return;
+    }
+
+    readControls();
+    correctCoNum();
+    CoNum = max(CoNum, bodies_->courantNo());
+    adjustDeltaT();
+
+    outer_ = 0;
+    converged_ = false;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::outerLoop()
+{
+    if (!immersed())
+    {
+        return incompressibleFluid::outerLoop();
+    }
+
+    return !converged_ && outer_++ < bodies_->nOuterCorrectors();
+}
+
+
+void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
+{
+    if (!immersed())
+    {
+        incompressibleFluid::momentumTransportCorrector();
+    }
+    else if (!uniformViscosity_)
+    {
+        laminarTransport.correct();
+        momentumTransport->correct();
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::postSolve()
+{
+    if (!immersed())
+    {
+        return;
+    }
+
+    const bool good = bodies_->endStep();
+
+    reportProgress();
+
+    if (runTime_.writeTime())
+    {
+        bodies_->region().bodyFraction()->write();
+    }
+
+    if (!(bodies_->maxSpeed() < GREAT))
+    {
+        FatalErrorInFunction
+            << "The velocities of the bodies have diverged at time "
+            << runTime_.timeName() << ": reduce the time step" << nl
+            << exit(FatalError);
+    }
+
+    if (!good)
+    {
+        stop("bodies overlap or have left the mesh, see above");
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::stop(const string& why)
+{
+    runTime_.writeNow();
+
+    FatalErrorInFunction
+        << "Stopped at time " << runTime_.timeName() << ": " << why.c_str()
+        << ". The state has been written." << nl << exit(FatalError);
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "adjustPhi.H"
+#include "constrainPressure.H"
+#include "findRefCell.H"
+#include "fvcDiv.H"
+#include "fvcFlux.H"
+#include "fvcGrad.H"
+#include "fvcSnGrad.H"
+#include "fvmLaplacian.H"
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::flowSolvers::immersedFluid::predictImmersedFlux()
+{
+    // Part of the usual pressure smoothing: enough against wiggles, and what
+    // it leaks through the bodies is below the error of the layer
+    const scalar smoothing = 0.1;
+    const volScalarField tau(smoothing/A0_());
+
+    tmp<surfaceScalarField> tphi
+    (
+        new surfaceScalarField
+        (
+            "phiHbyA",
+            fvc::flux(U_ + tau*gradP_())
+          - fvc::interpolate(tau)*fvc::snGrad(p_)*mesh_.magSf()
+        )
+    );
+
+    MRF.makeRelative(tphi.ref());
+    bodies_->region().shieldFlux(tphi.ref());
+
+    if (dp_->needReference())
+    {
+        adjustPhi(tphi.ref(), U_, dp_());
+    }
+
+    constrainPressure(p_, U_, tphi(), tau, MRF);
+
+    return tphi;
+}
+
+
+void Foam::flowSolvers::immersedFluid::pressureCorrector()
+{
+    if (!immersed())
+    {
+        incompressibleFluid::pressureCorrector();
+        return;
+    }
+
+    const ddtCoefficients ddt(mesh_, U_.name());
+    const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
+    volScalarField& dp = dp_();
+
+    const tmp<surfaceScalarField> tphiHbyA(predictImmersedFlux());
+    const surfaceScalarField& phiHbyA = tphiHbyA();
+    const volScalarField divPhi(fvc::div(phiHbyA));
+
+    // In later iterations the increment is small: its last value is no guess
+    dp = dimensionedScalar(dp.dimensions(), Zero);
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix dpEqn
+        (
+            fvm::laplacian(tau, dp, "laplacian((1|A(U)),p)") == divPhi
+        );
+
+        dpEqn.setReference
+        (
+            pRefCell,
+            pRefValue - getRefCellValue(p_, pRefCell)
+        );
+        dpEqn.solve(mesh_.solver(p_.select(true)));
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            phi_ = phiHbyA - dpEqn.flux();
+        }
+    }
+
+    continuityErrors();
+
+    const tmp<volScalarField> nu(momentumTransport->nuEff());
+
+    p_.primitiveFieldRef() += dp.primitiveField()
+      - nu().primitiveField()*divPhi.primitiveField();
+    p_.correctBoundaryConditions();
+    gradP_ = fvc::grad(p_);
+
+    const vectorField dU
+    (
+        tau.value()*fvc::grad(dp, "grad(p)")().primitiveField()
+    );
+
+    bodyCorrector(ddt, dU);
+
+    U_.primitiveFieldRef() -= dU;
+    U_.correctBoundaryConditions();
+    fvOptions.correct(U_);
+
+    tUEqn.clear();
+    A0_.clear();
+}

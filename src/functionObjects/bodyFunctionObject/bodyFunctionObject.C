@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyFunctionObject.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(bodyFunctionObject, 0);
+}
+}
+
+
+Foam::functionObjects::bodyFunctionObject::bodyFunctionObject
+(
+    const word& name,
+    const word& fileName,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, fileName, dict)
+{}
+
+
+const Foam::immersedBodies&
+Foam::functionObjects::bodyFunctionObject::bodies() const
+{
+    const immersedBodies* bodies =
+        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
+
+    if (!bodies)
+    {
+        FatalErrorInFunction
+            << "Function object '" << name() << "' needs immersed bodies: run"
+            << " it with the solver immersedFluid and bodies in"
+            << " constant/immersedBodyProperties" << nl << exit(FatalError);
+    }
+
+    return *bodies;
+}
+
+
+void Foam::functionObjects::bodyFunctionObject::writeVector
+(
+    Ostream& os,
+    const vector& v
+)
+{
+    os  << tab << v.x() << tab << v.y() << tab << v.z();
+}
+
+
+void Foam::functionObjects::bodyFunctionObject::appendVector
+(
+    wordList& names,
+    const word& name,
+    const word& unit
+)
+{
+    for (const char* cmpt : {"x", "y", "z"})
+    {
+        names.append(word(name + '_' + cmpt + '[' + unit + ']', false));
+    }
+}
+
+
+bool Foam::functionObjects::bodyFunctionObject::read(const dictionary& dict)
+{
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::bodyFunctionObject::execute()
+{
+    return true;
+}
+
+
+bool Foam::functionObjects::bodyFunctionObject::write()
+{
+    const immersedBodies& bodies = this->bodies();
+
+    if (!writeToFile())
+    {
+        return true;
+    }
+
+    OFstream& os = file();
+
+    if (!writtenHeader_)
+    {
+        writeHeader(os, "Bodies, by number:");
+
+        for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
+        {
+            writeHeaderValue(os, Foam::name(bodyi), bodies[bodyi].name());
+        }
+
+        writeCommented(os, "time[s]");
+        os  << tab << "body";
+
+        for (const word& column : columns())
+        {
+            os  << tab << column;
+        }
+        os  << nl;
+        writtenHeader_ = true;
+    }
+
+    for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
+    {
+        writeCurrentTime(os);
+        os  << tab << bodyi;
+        writeRow(os, bodies[bodyi]);
+        os  << nl;
+    }
+    os.flush();
+
+    return true;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodyMotion.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(immersedBodyMotion, 0);
+    addToRunTimeSelectionTable(functionObject, immersedBodyMotion, dictionary);
+}
+}
+
+
+Foam::functionObjects::immersedBodyMotion::immersedBodyMotion
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    bodyFunctionObject(name, typeName, runTime, dict)
+{
+    read(dict);
+}
+
+
+Foam::wordList Foam::functionObjects::immersedBodyMotion::columns() const
+{
+    wordList names;
+
+    appendVector(names, "position", "m");
+    names.append("q_w");
+    names.append("q_x");
+    names.append("q_y");
+    names.append("q_z");
+    appendVector(names, "velocity", "m/s");
+    appendVector(names, "angularVelocity", "rad/s");
+
+    return names;
+}
+
+
+void Foam::functionObjects::immersedBodyMotion::writeRow
+(
+    Ostream& os,
+    const immersedBody& body
+) const
+{
+    const bodyState& state = body.state();
+
+    writeVector(os, state.position);
+    os  << tab << state.orientation.w();
+    writeVector(os, state.orientation.v());
+    writeVector(os, state.U);
+    writeVector(os, state.omega);
+}

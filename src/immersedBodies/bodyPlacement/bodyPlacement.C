@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyPlacement.H"
+#include "checkKeywords.H"
+#include "IFstream.H"
+#include "Random.H"
+
+namespace
+{
+
+const Foam::wordList placements
+({
+    "position", "positions", "positionsFile", "random"
+});
+
+
+//- Smallest distance of x from the points and the surfaces of other bodies,
+//  less the radius of a body at x and of those at the points
+Foam::scalar clearance
+(
+    const Foam::point& x,
+    const Foam::scalar radius,
+    const Foam::UList<Foam::point>& points,
+    const Foam::UPtrList<Foam::immersedBody>& others
+)
+{
+    Foam::scalar gap = Foam::GREAT;
+
+    for (const Foam::point& y : points)
+    {
+        gap = Foam::min(gap, Foam::mag(x - y) - 2*radius);
+    }
+    forAll(others, i)
+    {
+        gap = Foam::min(gap, others[i].distance(x) - radius);
+    }
+
+    return gap;
+}
+
+} // End anonymous namespace
+
+
+Foam::bodyPlacement::bodyPlacement
+(
+    const geometricSpace& space,
+    const fileName& root,
+    const scalar rho
+)
+:
+    space_(space),
+    root_(root),
+    rho_(rho)
+{}
+
+
+Foam::pointField Foam::bodyPlacement::randomPositions
+(
+    const dictionary& dict,
+    const scalar radius,
+    const UPtrList<immersedBody>& others
+) const
+{
+    keywords::check(dict, {"number", "min", "max", "gap", "seed"});
+
+    const label number = label(keywords::positive(dict, "number"));
+    const point lower(dict.get<point>("min")), upper(dict.get<point>("max"));
+    const scalar gap = dict.lookupOrDefault<scalar>("gap", 0);
+    Random random(dict.get<label>("seed"));
+
+    const label maxTries = 1000*number;
+    DynamicList<point> found(number);
+
+    for (label tries = 0; found.size() < number; ++tries)
+    {
+        if (tries == maxTries)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Found room for " << found.size() << " of 'number "
+                << number << "' bodies in " << maxTries << " draws; enlarge"
+                << " the box from 'min' to 'max' or reduce 'gap'" << nl
+                << exit(FatalIOError);
+        }
+
+        const vector draw(random.sample01<vector>());
+        const point x
+        (
+            space_.inPlane(lower + cmptMultiply(draw, upper - lower))
+        );
+
+        if (clearance(x, radius, found, others) >= gap)
+        {
+            found.append(x);
+        }
+    }
+
+    return pointField(found);
+}
+
+
+Foam::pointField Foam::bodyPlacement::positions
+(
+    const dictionary& dict,
+    const scalar radius,
+    const UPtrList<immersedBody>& others
+) const
+{
+    wordList given;
+
+    for (const word& key : placements)
+    {
+        if (dict.found(key))
+        {
+            given.append(key);
+        }
+    }
+
+    if (given.size() != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << dict.dictName() << "' needs exactly one of "
+            << flatOutput(placements) << " and has "
+            << flatOutput(given) << nl << exit(FatalIOError);
+    }
+
+    if (given[0] == "position")
+    {
+        return pointField(1, dict.get<point>("position"));
+    }
+    if (given[0] == "positions")
+    {
+        return dict.get<pointField>("positions");
+    }
+    if (given[0] == "random")
+    {
+        return randomPositions(dict.subDict("random"), radius, others);
+    }
+
+    fileName file(dict.get<fileName>("positionsFile"));
+    file.expand();
+    IFstream is(file.isAbsolute() ? file : root_/file);
+
+    if (!is.good())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Cannot read 'positionsFile' " << is.name() << nl
+            << exit(FatalIOError);
+    }
+
+    return pointField(is);
+}
+
+
+void Foam::bodyPlacement::place
+(
+    const dictionary& dict,
+    PtrList<immersedBody>& bodies
+) const
+{
+    wordList valid(immersedBody::keywords);
+    valid.append(placements);
+
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << e.keyword() << "' in '" << dict.dictName()
+                << "' must be a dictionary that describes a body" << nl
+                << exit(FatalIOError);
+        }
+
+        const dictionary& bodyDict = e.dict();
+        keywords::check(bodyDict, valid);
+
+        const std::shared_ptr<const bodyShape> shape
+        (
+            bodyShape::New(bodyDict.subDict("shape"), space_).ptr()
+        );
+        const pointField x
+        (
+            positions(bodyDict, shape->boundingRadius(), bodies)
+        );
+
+        forAll(x, i)
+        {
+            const word name
+            (
+                x.size() == 1 && bodyDict.found("position")
+              ? word(e.keyword())
+              : word(e.keyword() + Foam::name(i + 1))
+            );
+
+            bodies.append
+            (
+                new immersedBody(name, bodyDict, shape, space_, x[i], rho_)
+            );
+        }
+    }
+}

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "checkKeywords.H"
+#include "fvcGrad.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(immersedBodies, 0);
+}
+
+
+namespace
+{
+
+//- Place the bodies of a dictionary
+Foam::PtrList<Foam::immersedBody> placeBodies
+(
+    const Foam::dictionary& dict,
+    const Foam::geometricSpace& space,
+    const Foam::fileName& root,
+    const Foam::scalar rho
+)
+{
+    Foam::PtrList<Foam::immersedBody> bodies;
+    Foam::bodyPlacement(space, root, rho).place
+    (
+        dict.subDict("bodies"),
+        bodies
+    );
+
+    return bodies;
+}
+
+
+//- Does any body move through the mesh?
+bool anyMoving(const Foam::PtrList<Foam::immersedBody>& bodies)
+{
+    for (const Foam::immersedBody& body : bodies)
+    {
+        if (body.isFree() || !body.isFixed())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+} // End anonymous namespace
+
+
+Foam::immersedBodies::immersedBodies
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            typeName,
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    dict_(dict),
+    space_(mesh),
+    rho_(readRho(dict, mesh)),
+    g_(readGravity(mesh)),
+    bodies_(placeBodies(dict, space_, mesh.time().globalPath(), rho_)),
+    restarted_(readState()),
+    region_
+    (
+        mesh,
+        space_,
+        dict.subOrEmptyDict("resistance"),
+        bodies_.size(),
+        anyMoving(bodies_)
+    ),
+    proximity_(mesh),
+    loads_(bodies_.size()),
+    h_(bodies_.size(), GREAT),
+    nOuterCorrectors_(10),
+    tolerance_(1e-4)
+{
+    checkDict();
+
+    const dictionary& coupling = dict.subOrEmptyDict("coupling");
+
+    nOuterCorrectors_ = label
+    (
+        keywords::positiveOr(coupling, "nOuterCorrectors", nOuterCorrectors_)
+    );
+    tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
+
+    checkInside();
+    region_.updateGeometry(bodies_);
+    measureCells();
+    checkResolution();
+
+    if (proximity_.check(bodies_, region_, h_, mesh_))
+    {
+        FatalIOErrorInFunction(dict_.subDict("bodies"))
+            << "'bodies' overlap each other or a wall" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::immersedBodies::anyFree() const
+{
+    for (const immersedBody& body : bodies_)
+    {
+        if (body.isFree())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+Foam::scalar Foam::immersedBodies::maxSpeed() const
+{
+    scalar speed = 0;
+
+    for (const immersedBody& body : bodies_)
+    {
+        speed = max(speed, body.maxSpeed());
+    }
+
+    return speed;
+}
+
+
+Foam::scalar Foam::immersedBodies::slip() const
+{
+    scalar sum = 0, volume = 0;
+
+    for (const bodyLoad& load : loads_)
+    {
+        sum += load.slip;
+        volume += load.volume;
+    }
+
+    return Foam::sqrt(sum/max(volume, VSMALL));
+}
+
+
+Foam::scalar Foam::immersedBodies::courantNo() const
+{
+    scalar Co = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        Co = max(Co, bodies_[bodyi].maxSpeed()/h_[bodyi]);
+    }
+
+    return Co*mesh_.time().deltaTValue();
+}
+
+
+void Foam::immersedBodies::measureCells()
+{
+    forAll(bodies_, bodyi)
+    {
+        const bodyRegion& region = region_.region(bodyi);
+
+        h_[bodyi] = 0;
+
+        forAll(region.cells, i)
+        {
+            const scalar h = region_.search().h()[region.cells[i]];
+
+            if (mag(region.distance[i]) < h)
+            {
+                h_[bodyi] = max(h_[bodyi], h);
+            }
+        }
+    }
+
+    Pstream::listCombineGather(h_, maxEqOp<scalar>());
+    Pstream::listCombineScatter(h_);
+
+    // A body smaller than a cell may have no centre of one near its surface
+    forAll(h_, bodyi)
+    {
+        if (h_[bodyi] == 0)
+        {
+            h_[bodyi] = bodies_[bodyi].shape().width();
+        }
+    }
+}
+
+
+void Foam::immersedBodies::checkInside() const
+{
+    labelList found(bodies_.size(), 0);
+
+    forAll(bodies_, bodyi)
+    {
+        found[bodyi] = mesh_.findCell(bodies_[bodyi].state().position) >= 0;
+    }
+
+    Pstream::listCombineGather(found, maxEqOp<label>());
+    Pstream::listCombineScatter(found);
+
+    forAll(bodies_, bodyi)
+    {
+        if (!found[bodyi])
+        {
+            FatalIOErrorInFunction(dict_.subDict("bodies"))
+                << "'position " << bodies_[bodyi].state().position
+                << "' of body '" << bodies_[bodyi].name()
+                << "' is outside the mesh, whose bounds are "
+                << mesh_.bounds() << nl << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::immersedBodies::checkResolution() const
+{
+    forAll(bodies_, bodyi)
+    {
+        if (cellsPerWidth(bodyi) < 4)
+        {
+            IOWarningInFunction(dict_.subDict("bodies"))
+                << "Body '" << bodies_[bodyi].name() << "' has only "
+                << cellsPerWidth(bodyi) << " cells across its width; at least"
+                << " 4 are needed, 8 for errors of a percent" << nl << endl;
+        }
+    }
+}
+
+
+void Foam::immersedBodies::setAmbient(const volVectorField& U)
+{
+    bool needed = false;
+
+    for (const immersedBody& body : bodies_)
+    {
+        needed = needed || body.needsAmbient();
+    }
+
+    if (!needed)
+    {
+        return;
+    }
+
+    // Gradients at the cell with the centre: the flow as it is at the centre,
+    // and half its vorticity
+    const volTensorField gradU(fvc::grad(U));
+    vectorField centreU(bodies_.size(), Zero), spin(bodies_.size(), Zero);
+    labelList found(bodies_.size(), 0);
+
+    forAll(bodies_, bodyi)
+    {
+        const point& x = bodies_[bodyi].state().position;
+        const label celli = mesh_.findCell(x);
+
+        if (celli >= 0)
+        {
+            const tensor& G = gradU[celli];
+
+            found[bodyi] = 1;
+            centreU[bodyi] = U[celli] + ((x - mesh_.C()[celli]) & G);
+            spin[bodyi] = 0.5*vector
+            (
+                G.yz() - G.zy(), G.zx() - G.xz(), G.xy() - G.yx()
+            );
+        }
+    }
+
+    Pstream::listCombineGather(centreU, plusEqOp<vector>());
+    Pstream::listCombineScatter(centreU);
+    Pstream::listCombineGather(spin, plusEqOp<vector>());
+    Pstream::listCombineScatter(spin);
+    Pstream::listCombineGather(found, plusEqOp<label>());
+    Pstream::listCombineScatter(found);
+
+    forAll(bodies_, bodyi)
+    {
+        // A point on the face between two processors may be found by both
+        const scalar n = max(found[bodyi], 1);
+
+        bodies_[bodyi].setAmbient(centreU[bodyi]/n, spin[bodyi]/n);
+    }
+}
+
+
+void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
+{
+    region_.setRigidMotion(bodies_, U.primitiveFieldRef());
+    U.correctBoundaryConditions();
+}

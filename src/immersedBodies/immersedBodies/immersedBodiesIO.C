@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "checkKeywords.H"
+#include "uniformDimensionedFields.H"
+
+Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
+(
+    const fvMesh& mesh
+)
+{
+    IOobject io
+    (
+        "immersedBodyProperties",
+        mesh.time().constant(),
+        mesh,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
+    );
+    const IOdictionary dict(io);
+
+    autoPtr<immersedBodies> bodies;
+
+    if (dict.found("bodies") && dict.subDict("bodies").size())
+    {
+        bodies.reset(new immersedBodies(mesh, dict));
+    }
+
+    return bodies;
+}
+
+
+Foam::scalar Foam::immersedBodies::readRho
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    if (dict.found("rho"))
+    {
+        return keywords::positive(dict, "rho");
+    }
+
+    const IOdictionary transport
+    (
+        IOobject
+        (
+            "transportProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    return transport.found("rho")
+      ? dimensionedScalar("rho", dimDensity, transport).value()
+      : -1;
+}
+
+
+Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        ),
+        dimensionedVector(dimAcceleration, Zero)
+    );
+
+    return g.value();
+}
+
+
+void Foam::immersedBodies::checkDict() const
+{
+    keywords::check
+    (
+        dict_,
+        {
+            "rho", "resistance", "coupling", "motion", "contact",
+            "lubrication", "window", "bodies"
+        }
+    );
+    keywords::check
+    (
+        dict_.subOrEmptyDict("coupling"),
+        {"nOuterCorrectors", "tolerance"}
+    );
+
+    auto onlyChoice = [&](const word& key, const word& type)
+    {
+        const dictionary& sub = dict_.subOrEmptyDict(key);
+
+        keywords::check(sub, {"type"});
+        keywords::choice(sub, "type", {type}, type);
+    };
+
+    onlyChoice("motion", "matching");
+    onlyChoice("contact", "none");
+    onlyChoice("lubrication", "none");
+    onlyChoice("window", "fixed");
+}
+
+
+bool Foam::immersedBodies::readState()
+{
+    IOobject io
+    (
+        typeName,
+        mesh_.time().timeName(),
+        "uniform",
+        mesh_,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
+    );
+
+    if (!io.typeHeaderOk<IOdictionary>(false))
+    {
+        return false;
+    }
+
+    const IOdictionary states(io);
+
+    for (immersedBody& body : bodies_)
+    {
+        if (!states.found(body.name()))
+        {
+            FatalIOErrorInFunction(states)
+                << "No state of body '" << body.name() << "', which"
+                << " constant/immersedBodyProperties has; the bodies here are "
+                << flatOutput(states.toc()) << nl << exit(FatalIOError);
+        }
+
+        body.readState(states.subDict(body.name()));
+    }
+
+    return true;
+}
+
+
+void Foam::immersedBodies::report(Ostream& os) const
+{
+    os  << "Immersed bodies: " << size() << ' ' << space_.nDims() << "D";
+
+    if (space_.twoD())
+    {
+        os  << " (depth " << space_.depth() << " m)";
+    }
+
+    os  << nl << "    resistance: ";
+    region_.resistance().report(os);
+
+    scalar fewest = GREAT, most = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        fewest = min(fewest, cellsPerWidth(bodyi));
+        most = max(most, cellsPerWidth(bodyi));
+    }
+
+    os  << nl << "    cells per width: " << fewest << " to " << most << nl
+        << "    coupling: at most " << nOuterCorrectors_
+        << " iterations, tolerance " << tolerance_ << nl;
+}
+
+
+bool Foam::immersedBodies::writeData(Ostream& os) const
+{
+    // As many digits as it takes to go on exactly
+    const auto precision = os.precision(17);
+
+    for (const immersedBody& body : bodies_)
+    {
+        body.writeState(os);
+    }
+
+    os.precision(precision);
+
+    return os.good();
+}

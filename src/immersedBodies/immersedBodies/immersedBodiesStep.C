@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+
+void Foam::immersedBodies::beginStep()
+{
+    for (immersedBody& body : bodies_)
+    {
+        body.beginStep();
+    }
+}
+
+
+void Foam::immersedBodies::predict()
+{
+    for (immersedBody& body : bodies_)
+    {
+        body.predictPose(mesh_.time().deltaTValue());
+    }
+
+    region_.updateGeometry(bodies_);
+}
+
+
+void Foam::immersedBodies::updateResistance
+(
+    const scalarField& A0,
+    const scalarField& nu
+)
+{
+    region_.updateResistance(bodies_, A0, nu);
+    region_.updateVelocity(bodies_);
+}
+
+
+void Foam::immersedBodies::reduceLoads(const bool response)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    const label n = response ? bodyLoad::nPacked : bodyLoad::nPackedLoad;
+    scalarField packed(n*loads_.size());
+
+    forAll(loads_, bodyi)
+    {
+        loads_[bodyi].pack(packed, n*bodyi, n);
+    }
+
+    Pstream::listCombineGather(packed, plusEqOp<scalar>());
+    Pstream::listCombineScatter(packed);
+
+    forAll(loads_, bodyi)
+    {
+        loads_[bodyi].unpack(packed, n*bodyi, n);
+    }
+}
+
+
+Foam::scalar Foam::immersedBodies::correct
+(
+    const ddtCoefficients& ddt,
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const volVectorField& U,
+    const vectorField& gradP,
+    const vectorField& dU,
+    const bool response
+)
+{
+    region_.load(bodies_, E0, A0, U, gradP, dU, response, loads_);
+    reduceLoads(response);
+
+    scalar change = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        change = max
+        (
+            change,
+            bodies_[bodyi].correctVelocity(loads_[bodyi], ddt, g_)
+        );
+    }
+
+    region_.updateVelocity(bodies_);
+
+    return change;
+}
+
+
+void Foam::immersedBodies::shareState()
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    const label n = 5;
+    vectorField packed(n*bodies_.size());
+
+    forAll(bodies_, bodyi)
+    {
+        const bodyState& state = bodies_[bodyi].state();
+        vector* to = &packed[n*bodyi];
+
+        to[0] = state.position;
+        to[1] = state.orientation.v();
+        to[2] = vector(state.orientation.w(), 0, 0);
+        to[3] = state.U;
+        to[4] = state.omega;
+    }
+
+    Pstream::scatter(packed);
+
+    forAll(bodies_, bodyi)
+    {
+        bodyState state;
+        const vector* from = &packed[n*bodyi];
+
+        state.position = from[0];
+        state.orientation = quaternion(from[2].x(), from[1]);
+        state.U = from[3];
+        state.omega = from[4];
+
+        bodies_[bodyi].setState(state);
+    }
+}
+
+
+bool Foam::immersedBodies::endStep()
+{
+    shareState();
+
+    bool good = true;
+
+    forAll(bodies_, bodyi)
+    {
+        const scalar part = loads_[bodyi].volume/bodies_[bodyi].volume();
+
+        if (!(part > 0.02))
+        {
+            Info<< "Body " << bodies_[bodyi].name() << " has left the mesh at "
+                << bodies_[bodyi].state().position << ", moving with "
+                << bodies_[bodyi].state().U << endl;
+            good = false;
+        }
+    }
+
+    if (proximity_.check(bodies_, region_, h_, mesh_))
+    {
+        good = false;
+    }
+
+    return good;
+}

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBody.H"
+#include "checkKeywords.H"
+
+const Foam::wordList Foam::immersedBody::keywords
+({
+    "shape", "density", "densityRatio", "velocity", "angularVelocity",
+    "constraints"
+});
+
+
+namespace
+{
+
+//- Read a vector or the word ambient; returns true for the latter
+bool readOrAmbient
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    Foam::vector& value
+)
+{
+    using namespace Foam;
+
+    ITstream& is = dict.lookup(key);
+    const token first(is);
+
+    if (first.isWord())
+    {
+        if (first.wordToken() != "ambient")
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << " " << first.wordToken() << "' in '"
+                << dict.dictName() << "' must be 'ambient' or a vector"
+                << nl << exit(FatalIOError);
+        }
+        return true;
+    }
+
+    value = dict.get<vector>(key);
+    return false;
+}
+
+
+//- Read a vector of zeros and ones, allowed only where limit is one
+Foam::vector readFlags
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::vector& limit
+)
+{
+    using namespace Foam;
+
+    const vector flags(dict.lookupOrDefault<vector>(key, limit));
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (flags[i] != 0 && flags[i] != 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << " " << flags << "' in '" << dict.dictName()
+                << "' must have components 0 (locked) or 1 (free)"
+                << nl << exit(FatalIOError);
+        }
+    }
+
+    return cmptMultiply(flags, limit);
+}
+
+} // End anonymous namespace
+
+
+Foam::immersedBody::immersedBody
+(
+    const word& name,
+    const dictionary& dict,
+    const std::shared_ptr<const bodyShape>& shape,
+    const geometricSpace& space,
+    const point& position,
+    const scalar rho
+)
+:
+    name_(name),
+    shape_(shape),
+    space_(space),
+    densityRatio_(1),
+    freeU_(space.translation()),
+    freeOmega_(space.rotation()),
+    ambientU_(false),
+    ambientOmega_(false),
+    ddtU_(Zero),
+    ddtL_(Zero)
+{
+    state_.position = space.inPlane(position);
+
+    readConstraints(dict);
+    readVelocities(dict);
+
+    if (dict.found("density") == dict.found("densityRatio"))
+    {
+        if (dict.found("density") || isFree())
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << dict.dictName() << "' needs one of 'density' and"
+                << " 'densityRatio'" << nl << exit(FatalIOError);
+        }
+    }
+    else if (dict.found("densityRatio"))
+    {
+        densityRatio_ = Foam::keywords::positive(dict, "densityRatio");
+    }
+    else
+    {
+        densityRatio_ = Foam::keywords::positive(dict, "density")/rho;
+
+        if (!(rho > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "'density' needs the density of the fluid: set 'rho' [kg/m3]"
+                << " in immersedBodyProperties or transportProperties, or use"
+                << " 'densityRatio'" << nl << exit(FatalIOError);
+        }
+    }
+
+    old_ = oldOld_ = state_;
+}
+
+
+void Foam::immersedBody::readConstraints(const dictionary& dict)
+{
+    if (dict.found("constraints"))
+    {
+        const dictionary& constraints = dict.subDict("constraints");
+        Foam::keywords::check(constraints, {"translate", "rotate"});
+
+        freeU_ = readFlags(constraints, "translate", freeU_);
+        freeOmega_ = readFlags(constraints, "rotate", freeOmega_);
+    }
+}
+
+
+void Foam::immersedBody::readVelocities(const dictionary& dict)
+{
+    if (dict.found("velocity"))
+    {
+        ambientU_ = readOrAmbient(dict, "velocity", state_.U);
+    }
+
+    ambientOmega_ = ambientU_;
+
+    if (dict.found("angularVelocity"))
+    {
+        ambientOmega_ = readOrAmbient(dict, "angularVelocity", state_.omega);
+    }
+
+    const vector outU
+    (
+        state_.U - cmptMultiply(state_.U, space_.translation())
+    );
+    const vector outOmega
+    (
+        state_.omega - cmptMultiply(state_.omega, space_.rotation())
+    );
+
+    if (magSqr(outU) > 0 || magSqr(outOmega) > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'velocity' or 'angularVelocity' in '" << dict.dictName()
+            << "' leads out of the plane of the mesh" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::immersedBody::isFree() const
+{
+    return cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0;
+}
+
+
+bool Foam::immersedBody::isFixed() const
+{
+    return !isFree() && state_.U == vector::zero && state_.omega == vector::zero;
+}
+
+
+Foam::tensor Foam::immersedBody::inertia(const bodyState& state) const
+{
+    const tensor R(state.orientation.R());
+
+    return (R & tensor(space_.depth()*shape_->inertia()) & R.T());
+}
+
+
+Foam::vector Foam::immersedBody::angularMomentum(const bodyState& state) const
+{
+    return inertia(state) & state.omega;
+}
+
+
+void Foam::immersedBody::distance
+(
+    const UList<point>& x,
+    UList<scalar>& d
+) const
+{
+    const tensor toBody(state_.orientation.R().T());
+    pointField X(x.size());
+
+    forAll(x, i)
+    {
+        X[i] = toBody & (x[i] - state_.position);
+    }
+
+    shape_->distance(X, d);
+}
+
+
+void Foam::immersedBody::normal(const UList<point>& x, UList<vector>& n) const
+{
+    const tensor R(state_.orientation.R());
+    const tensor toBody(R.T());
+    pointField X(x.size());
+
+    forAll(x, i)
+    {
+        X[i] = toBody & (x[i] - state_.position);
+    }
+
+    shape_->normal(X, n);
+
+    forAll(n, i)
+    {
+        n[i] = R & n[i];
+    }
+}
+
+
+Foam::scalar Foam::immersedBody::distance(const point& x) const
+{
+    return shape_->distance
+    (
+        state_.orientation.R().T() & (x - state_.position)
+    );
+}
+
+
+Foam::scalar Foam::immersedBody::maxSpeed() const
+{
+    return mag(state_.U) + shape_->boundingRadius()*mag(state_.omega);
+}
+
+
+void Foam::immersedBody::readState(const dictionary& dict)
+{
+    state_ = bodyState(dict);
+    old_ = bodyState(dict.subDict("old"));
+    oldOld_ = old_;
+    ddtU_ = dict.get<vector>("acceleration");
+    ddtL_ = dict.get<vector>("angularMomentumRate");
+    load_.force = dict.get<vector>("load");
+    load_.torque = dict.get<vector>("loadTorque");
+    ambientU_ = ambientOmega_ = false;
+}
+
+
+void Foam::immersedBody::writeState(Ostream& os) const
+{
+    os.beginBlock(name_);
+
+    state_.write(os);
+    os.writeEntry("acceleration", ddtU_);
+    os.writeEntry("angularMomentumRate", ddtL_);
+    os.writeEntry("load", load_.force);
+    os.writeEntry("loadTorque", load_.torque);
+
+    os.beginBlock("old");
+    old_.write(os);
+    os.endBlock();
+
+    os.endBlock();
+}

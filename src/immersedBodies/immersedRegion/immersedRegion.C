@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedRegion.H"
+#include "zeroGradientFvPatchFields.H"
+
+Foam::immersedRegion::immersedRegion
+(
+    const fvMesh& mesh,
+    const geometricSpace& space,
+    const dictionary& dict,
+    const label nBodies,
+    const bool crossesGrid
+)
+:
+    mesh_(mesh),
+    search_(mesh, space),
+    delta_(mesh.boundary().size()),
+    resistance_(resistanceModel::New(dict, mesh, crossesGrid)),
+    regions_(nBodies),
+    K_
+    (
+        IOobject("resistance", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    KU_(mesh.nCells(), Zero),
+    shield_(mesh.nCells(), Zero),
+    faceShield_(mesh.nFaces(), Zero),
+    bodyFlux_(mesh.nFaces(), Zero),
+    weight_(mesh.nCells(), Zero)
+{
+    forAll(regions_, bodyi)
+    {
+        regions_.set(bodyi, new bodyRegion());
+    }
+
+    forAll(delta_, patchi)
+    {
+        if (mesh.boundary()[patchi].coupled())
+        {
+            delta_[patchi] = mesh.boundary()[patchi].delta();
+        }
+    }
+}
+
+
+void Foam::immersedRegion::unite
+(
+    const PtrList<bodyRegion>& regions,
+    const DynamicList<label> bodyRegion::*labels,
+    const label size,
+    DynamicList<label>& all
+)
+{
+    all.clear();
+
+    if (regions.size() == 1)
+    {
+        all = regions[0].*labels;
+        return;
+    }
+
+    bitSet met(size);
+
+    for (const bodyRegion& region : regions)
+    {
+        for (const label i : region.*labels)
+        {
+            if (met.set(i))
+            {
+                all.append(i);
+            }
+        }
+    }
+}
+
+
+void Foam::immersedRegion::combineShields
+(
+    const DynamicList<label> bodyRegion::*labels,
+    DynamicList<scalar> bodyRegion::*shields,
+    const labelUList& all,
+    scalarField& total
+)
+{
+    // One body: the flat field is its list
+    if (regions_.size() == 1)
+    {
+        UIndirectList<scalar>(total, all) = regions_[0].*shields;
+        return;
+    }
+
+    // Product of the open parts, and sum of the shields
+    Map<scalar> sum(2*all.size());
+    UIndirectList<scalar>(total, all) = 1;
+
+    for (const bodyRegion& region : regions_)
+    {
+        forAll(region.*labels, i)
+        {
+            const label at = (region.*labels)[i];
+
+            total[at] *= 1 - (region.*shields)[i];
+            sum(at) += (region.*shields)[i];
+        }
+    }
+
+    for (const label at : all)
+    {
+        total[at] = 1 - total[at];
+    }
+
+    for (bodyRegion& region : regions_)
+    {
+        forAll(region.*labels, i)
+        {
+            const label at = (region.*labels)[i];
+
+            (region.*shields)[i] *= total[at]/max(sum[at], VSMALL);
+        }
+    }
+}
+
+
+void Foam::immersedRegion::updateGeometry
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    bool changed = false;
+
+    forAll(bodies, bodyi)
+    {
+        const bool moved = regions_[bodyi].update
+        (
+            bodies[bodyi],
+            search_,
+            resistance_->bandWidth()
+        );
+        changed = moved || changed;
+    }
+
+    if (!changed)
+    {
+        return;
+    }
+
+    forAll(bodies, bodyi)
+    {
+        resistance_->setShield(bodies[bodyi], regions_[bodyi]);
+    }
+
+    UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
+    UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<scalar>(shield_, cells_) = 0;
+    UIndirectList<scalar>(faceShield_, faces_) = 0;
+    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
+
+    unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
+    unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
+
+    combineShields
+    (
+        &bodyRegion::cells, &bodyRegion::shield, cells_, shield_
+    );
+    combineShields
+    (
+        &bodyRegion::faces, &bodyRegion::faceShield, faces_, faceShield_
+    );
+}
+
+
+void Foam::immersedRegion::updateResistance
+(
+    const PtrList<immersedBody>& bodies,
+    const scalarField& A0,
+    const scalarField& nu
+)
+{
+    scalarField& K = K_.primitiveFieldRef();
+    UIndirectList<scalar>(K, cells_) = 0;
+
+    forAll(bodies, bodyi)
+    {
+        bodyRegion& region = regions_[bodyi];
+
+        resistance_->setResistance(bodies[bodyi], A0, nu, region);
+
+        forAll(region.cells, i)
+        {
+            K[region.cells[i]] += region.resistance[i];
+        }
+    }
+
+    // The response of rows next to another processor needs its resistance
+    if (Pstream::parRun())
+    {
+        K_.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::immersedRegion::updateVelocity
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    const vectorField& centres = mesh_.cellCentres();
+    const vectorField& faceCentres = mesh_.faceCentres();
+    const vectorField& Sf = mesh_.faceAreas();
+
+    UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
+
+    forAll(bodies, bodyi)
+    {
+        const bodyState& state = bodies[bodyi].state();
+        const bodyRegion& region = regions_[bodyi];
+
+        forAll(region.cells, i)
+        {
+            const label celli = region.cells[i];
+
+            KU_[celli] +=
+                region.resistance[i]*state.velocity(centres[celli]);
+        }
+
+        forAll(region.faces, i)
+        {
+            const label facei = region.faces[i];
+
+            bodyFlux_[facei] +=
+                region.faceShield[i]
+               *(state.velocity(faceCentres[facei]) & Sf[facei]);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::immersedRegion::bodyFraction() const
+{
+    tmp<volScalarField> tfraction
+    (
+        new volScalarField
+        (
+            IOobject("bodyFraction", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(dimless, Zero),
+            zeroGradientFvPatchScalarField::typeName
+        )
+    );
+    scalarField& fraction = tfraction.ref().primitiveFieldRef();
+
+    for (const bodyRegion& region : regions_)
+    {
+        forAll(region.cells, i)
+        {
+            fraction[region.cells[i]] +=
+                min(max(0.5 - region.distance[i]/region.h[i], 0), 1);
+        }
+    }
+    tfraction.ref().correctBoundaryConditions();
+
+    return tfraction;
+}
+
+
+void Foam::immersedRegion::setRigidMotion
+(
+    const PtrList<immersedBody>& bodies,
+    vectorField& U
+) const
+{
+    forAll(bodies, bodyi)
+    {
+        const bodyRegion& region = regions_[bodyi];
+
+        forAll(region.cells, i)
+        {
+            if (region.distance[i] < 0)
+            {
+                const label celli = region.cells[i];
+
+                U[celli] = bodies[bodyi].state().velocity
+                (
+                    mesh_.cellCentres()[celli]
+                );
+            }
+        }
+    }
+}

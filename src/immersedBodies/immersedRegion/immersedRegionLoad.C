@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedRegion.H"
+
+Foam::List<Foam::vectorField> Foam::immersedRegion::coupledNeighbours
+(
+    const volVectorField& U
+) const
+{
+    List<vectorField> values(U.boundaryField().size());
+
+    forAll(values, patchi)
+    {
+        if (U.boundaryField()[patchi].coupled())
+        {
+            values[patchi] = U.boundaryField()[patchi].patchNeighbourField();
+        }
+    }
+
+    return values;
+}
+
+
+Foam::vector Foam::immersedRegion::rowH
+(
+    const fvVectorMatrix& E0,
+    const vectorField& U,
+    const List<vectorField>& neighbourU,
+    const label celli
+) const
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    vector h(E0.source()[celli]);
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            h -= own[facei] == celli
+              ? E0.upper()[facei]*U[nei[facei]]
+              : E0.lower()[facei]*U[own[facei]];
+            continue;
+        }
+
+        const label patchi = patches.whichPatch(facei);
+        const label i = facei - patches[patchi].start();
+
+        if (i >= E0.internalCoeffs()[patchi].size())
+        {
+            continue;
+        }
+
+        // As A0 has the mean of the components of the diagonal, their
+        // differences belong here
+        const vector& diag = E0.internalCoeffs()[patchi][i];
+        const vector& coeff = E0.boundaryCoeffs()[patchi][i];
+
+        h += cmptMultiply(vector::uniform(cmptAv(diag)) - diag, U[celli]);
+        h += neighbourU[patchi].size()
+          ? vector(cmptMultiply(coeff, neighbourU[patchi][i]))
+          : coeff;
+    }
+
+    return h/mesh_.V()[celli];
+}
+
+
+void Foam::immersedRegion::load
+(
+    const PtrList<immersedBody>& bodies,
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const volVectorField& U,
+    const vectorField& gradP,
+    const vectorField& dU,
+    const bool response,
+    List<bodyLoad>& loads
+) const
+{
+    const List<vectorField> neighbourU(coupledNeighbours(U));
+    const scalarField& V = mesh_.V();
+    const scalarField& K = K_;
+
+    forAll(bodies, bodyi)
+    {
+        const bodyRegion& region = regions_[bodyi];
+        const bodyState& state = bodies[bodyi].state();
+        bodyLoad& load = loads[bodyi];
+
+        load.force = load.torque = Zero;
+        load.volume = load.slip = 0;
+
+        forAll(region.cells, i)
+        {
+            const label celli = region.cells[i];
+            const vector r(mesh_.cellCentres()[celli] - state.position);
+            const vector Ub(state.U + (state.omega^r));
+            vector q(region.shield[i]*gradP[celli]);
+
+            if (region.resistance[i] > 0)
+            {
+                const scalar A = A0[celli] + K[celli];
+                const vector H(rowH(E0, U, neighbourU, celli));
+
+                // A0 and K apart: K U_b and its sum cancel exactly
+                q += region.resistance[i]/A
+                   *(
+                        A0[celli]*Ub + (K[celli]*Ub - KU_[celli]) - H
+                      + (1 - shield_[celli])*gradP[celli]
+                    );
+            }
+            load.addForce(r, V[celli]*q);
+
+            const scalar inside = 0.5 - region.distance[i]/region.h[i];
+
+            load.volume += V[celli]*min(max(inside, 0), 1);
+
+            if (inside > 1.5)
+            {
+                load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
+            }
+        }
+
+        if (response)
+        {
+            load.a = 0;
+            load.aRow = load.aCol = Zero;
+            load.aRowCol = Zero;
+
+            addResponse(E0, A0, state.position, region, load);
+        }
+    }
+}
+
+
+void Foam::immersedRegion::addResponse
+(
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const point& centre,
+    const bodyRegion& region,
+    bodyLoad& load
+) const
+{
+    const vectorField& centres = mesh_.cellCentres();
+    const scalarField& K = K_;
+    const scalarField& lower = E0.lower();
+    const scalarField& upper = E0.upper();
+
+    forAll(region.cells, i)
+    {
+        const label celli = region.cells[i];
+        const vector r(centres[celli] - centre);
+        const scalar w = region.resistance[i]/(A0[celli] + K[celli]);
+
+        weight_[celli] = w;
+        load.addResponse(w*mesh_.V()[celli]*A0[celli], r, r);
+    }
+
+    for (const label facei : region.faces)
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            const label own = mesh_.faceOwner()[facei];
+            const label nei = mesh_.faceNeighbour()[facei];
+            const scalar w = weight_[own]*weight_[nei];
+
+            if (w > 0)
+            {
+                const vector ro(centres[own] - centre);
+                const vector rn(centres[nei] - centre);
+
+                load.addResponse(w*upper[facei], ro, rn);
+                load.addResponse(w*lower[facei], rn, ro);
+            }
+        }
+    }
+
+    addCoupledResponse(E0, A0, centre, region, load);
+
+    for (const label celli : region.cells)
+    {
+        weight_[celli] = 0;
+    }
+}
+
+
+void Foam::immersedRegion::addCoupledResponse
+(
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const point& centre,
+    const bodyRegion& region,
+    bodyLoad& load
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    for (const label facei : region.faces)
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            continue;
+        }
+
+        const label patchi = patches.whichPatch(facei);
+        const label i = facei - patches[patchi].start();
+        const label celli = mesh_.faceOwner()[facei];
+
+        // On a processor patch the patch values are those of the other side
+        const scalar K = K_.boundaryField()[patchi][i];
+        const scalar A = A0.boundaryField()[patchi][i];
+        const scalar w = weight_[celli]*K/(A + K);
+        const vector r(mesh_.cellCentres()[celli] - centre);
+
+        load.addResponse
+        (
+            -w*E0.boundaryCoeffs()[patchi][i].x(),
+            r,
+            r + delta_[patchi][i]
+        );
+    }
+}

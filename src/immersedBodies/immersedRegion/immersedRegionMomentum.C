@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedRegion.H"
+
+void Foam::immersedRegion::penalise
+(
+    const volScalarField& A0,
+    const vectorField& gradP,
+    fvVectorMatrix& E
+) const
+{
+    const scalarField& V = mesh_.V();
+    const scalarField& K = K_;
+    const label nInternal = mesh_.nInternalFaces();
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    // Both, as the scaled matrix is not symmetric even where E0 is
+    scalarField& lower = E.lower();
+    scalarField& upper = E.upper();
+    scalarField& diag = E.diag();
+    vectorField& source = E.source();
+
+    for (const label celli : cells_)
+    {
+        const scalar scale = A0[celli]/(A0[celli] + K[celli]);
+
+        diag[celli] = scale*(diag[celli] + V[celli]*K[celli]);
+        source[celli] = scale
+           *(
+                source[celli]
+              + V[celli]*(KU_[celli] + shield_[celli]*gradP[celli])
+            );
+
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if (facei < nInternal)
+            {
+                (mesh_.faceOwner()[facei] == celli ? upper : lower)[facei] *=
+                    scale;
+                continue;
+            }
+
+            const label patchi = patches.whichPatch(facei);
+            const label i = facei - patches[patchi].start();
+
+            if (i < E.internalCoeffs()[patchi].size())
+            {
+                E.internalCoeffs()[patchi][i] *= scale;
+                E.boundaryCoeffs()[patchi][i] *= scale;
+            }
+        }
+    }
+}
+
+
+void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    for (const label facei : faces_)
+    {
+        const scalar open = 1 - faceShield_[facei];
+
+        if (mesh_.isInternalFace(facei))
+        {
+            phi[facei] = open*phi[facei] + bodyFlux_[facei];
+        }
+        else
+        {
+            const label patchi = patches.whichPatch(facei);
+            scalar& patchPhi = phi.boundaryFieldRef()
+                [patchi][facei - patches[patchi].start()];
+
+            patchPhi = open*patchPhi + bodyFlux_[facei];
+        }
+    }
+}

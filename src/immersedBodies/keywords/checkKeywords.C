@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "checkKeywords.H"
+
+namespace
+{
+
+//- Number of single-character edits that turn a into b
+Foam::label editDistance(const Foam::word& a, const Foam::word& b)
+{
+    using Foam::label;
+
+    Foam::labelList row(Foam::identity(label(b.size() + 1)));
+
+    for (label i = 1; i <= label(a.size()); ++i)
+    {
+        label diagonal = row[0];
+        row[0] = i;
+
+        for (label j = 1; j <= label(b.size()); ++j)
+        {
+            const label above = row[j];
+            const label swap = (a[i - 1] == b[j - 1] ? 0 : 1);
+
+            row[j] = Foam::min
+            (
+                Foam::min(above, row[j - 1]) + 1,
+                diagonal + swap
+            );
+            diagonal = above;
+        }
+    }
+
+    return row.last();
+}
+
+} // End anonymous namespace
+
+
+Foam::word Foam::keywords::nearest(const word& name, const wordList& valid)
+{
+    word best;
+    label fewest = labelMax;
+
+    for (const word& candidate : valid)
+    {
+        const label edits = editDistance(name, candidate);
+
+        if (edits < fewest)
+        {
+            fewest = edits;
+            best = candidate;
+        }
+    }
+
+    return best;
+}
+
+
+void Foam::keywords::check(const dictionary& dict, const wordList& valid)
+{
+    for (const word& key : dict.toc())
+    {
+        if (key != "FoamFile" && !valid.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword '" << key << "' in '"
+                << dict.dictName() << "'; the nearest valid one is '"
+                << nearest(key, valid) << "'" << nl
+                << "Valid keywords: " << flatOutput(valid) << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::keywords::refuse
+(
+    const dictionary& dict,
+    const word& key,
+    const word& name,
+    const wordList& valid
+)
+{
+    FatalIOErrorInFunction(dict)
+        << "'" << key << " " << name << "' is not available";
+
+    if (valid.size())
+    {
+        FatalIOError
+            << "; the nearest valid one is '" << nearest(name, valid) << "'";
+    }
+
+    FatalIOError
+        << nl << "Valid values of '" << key << "': " << flatOutput(valid)
+        << nl << exit(FatalIOError);
+}
+
+
+Foam::word Foam::keywords::choice
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& valid,
+    const word& deflt
+)
+{
+    const word name(dict.lookupOrDefault<word>(key, deflt));
+
+    if (!valid.found(name))
+    {
+        refuse(dict, key, name, valid);
+    }
+
+    return name;
+}
+
+
+Foam::scalar Foam::keywords::positive(const dictionary& dict, const word& key)
+{
+    const scalar value = dict.get<scalar>(key);
+
+    if (!(value > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << key << " " << value << "' in '" << dict.dictName()
+            << "' must be greater than 0" << nl << exit(FatalIOError);
+    }
+
+    return value;
+}
+
+
+Foam::scalar Foam::keywords::positiveOr
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar deflt
+)
+{
+    return dict.found(key) ? positive(dict, key) : deflt;
+}

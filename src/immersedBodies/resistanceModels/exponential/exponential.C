@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exponential.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
+
+namespace Foam
+{
+namespace resistanceModels
+{
+    defineTypeNameAndDebug(exponential, 0);
+    addToRunTimeSelectionTable(resistanceModel, exponential, dictionary);
+}
+}
+
+
+namespace
+{
+
+using Foam::scalar;
+
+//- Distance times steepness, in cell sizes, where the resistance fades, ends
+const scalar fadeStart = 4, fadeEnd = 6;
+
+//- Arguments of tanh beyond this leave less than 10^-5 of the shield
+const scalar tanhEnd = 6;
+
+//- Cap of the resistance as a multiple of the momentum coefficient
+const scalar cap = 1e6;
+
+
+//- The parabola through (1, y0), (1.1, y1), (1.2, y2) at x
+scalar interpolate
+(
+    const scalar x,
+    const scalar y0,
+    const scalar y1,
+    const scalar y2
+)
+{
+    const scalar t = 10*(x - 1);
+
+    return y0 + t*(y1 - y0) + 0.5*t*(t - 1)*(y2 - 2*y1 + y0);
+}
+
+} // End anonymous namespace
+
+
+Foam::resistanceModels::exponential::exponential
+(
+    const dictionary& dict,
+    const fvMesh&,
+    const bool crossesGrid
+)
+:
+    resistanceModel(),
+    steepness_(crossesGrid ? 1.0 : 1.2)
+{
+    keywords::check(dict, {"type", "steepness", "shieldShift", "shieldWidth"});
+
+    if (dict.found("steepness"))
+    {
+        const token t(dict.lookup("steepness"));
+
+        if (t.isNumber() && t.number() >= 1 && t.number() <= 1.2)
+        {
+            steepness_ = t.number();
+        }
+        else if (!t.isWord() || t.wordToken() != "auto")
+        {
+            FatalIOErrorInFunction(dict)
+                << "'steepness' in '" << dict.dictName()
+                << "' must be 'auto' or a number from 1 to 1.2" << nl
+                << exit(FatalIOError);
+        }
+    }
+
+    // Calibrated pairs for a = 1, 1.1 and 1.2
+    shieldShift_ = dict.lookupOrDefault<scalar>
+    (
+        "shieldShift",
+        interpolate(steepness_, -0.05, -0.033, 0)
+    );
+    shieldWidth_ = keywords::positiveOr
+    (
+        dict,
+        "shieldWidth",
+        interpolate(steepness_, 1.115, 1.0, 0.9)
+    );
+}
+
+
+Foam::scalar Foam::resistanceModels::exponential::bandWidth() const
+{
+    return max(fadeEnd/steepness_, shieldShift_ + tanhEnd*shieldWidth_);
+}
+
+
+Foam::scalar Foam::resistanceModels::exponential::shieldAt
+(
+    const scalar d
+) const
+{
+    const scalar x = (d - shieldShift_)/shieldWidth_;
+
+    return x > tanhEnd ? 0 : 0.5*(1 - Foam::tanh(x));
+}
+
+
+void Foam::resistanceModels::exponential::setShield
+(
+    const immersedBody&,
+    bodyRegion& region
+) const
+{
+    forAll(region.cells, i)
+    {
+        region.shield[i] = shieldAt(region.distance[i]/region.h[i]);
+    }
+
+    forAll(region.faces, i)
+    {
+        region.faceShield[i] =
+            shieldAt(region.faceDistance[i]/region.faceH[i]);
+    }
+}
+
+
+void Foam::resistanceModels::exponential::setResistance
+(
+    const immersedBody&,
+    const scalarField& A0,
+    const scalarField& nu,
+    bodyRegion& region
+) const
+{
+    const scalar gamma = 0.5772156649015329;
+    const scalar a = steepness_;
+    const scalar factor = sqr(2*a*Foam::exp(-gamma));
+
+    forAll(region.cells, i)
+    {
+        const label celli = region.cells[i];
+        const scalar h = region.h[i];
+        const scalar ad = a*region.distance[i]/h;
+
+        if (ad >= fadeEnd)
+        {
+            region.resistance[i] = 0;
+            continue;
+        }
+
+        const vector& n = region.normal[i];
+        const scalar c4 = pow4(n.x()) + pow4(n.y()) + pow4(n.z());
+        const scalar fade = min(1, (fadeEnd - ad)/(fadeEnd - fadeStart));
+
+        // Beyond exp(60) the cap applies whatever the other factors
+        const scalar K =
+            nu[celli]/sqr(h)*factor
+           *Foam::exp(sqr(a)*c4/18 - 2*max(ad, scalar(-30)));
+
+        region.resistance[i] = min(fade*K, cap*A0[celli]);
+    }
+}
+
+
+void Foam::resistanceModels::exponential::report(Ostream& os) const
+{
+    os  << "exponential, steepness " << steepness_ << ", shield shift "
+        << shieldShift_ << " width " << shieldWidth_;
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "roundShape.H"
+#include "checkKeywords.H"
+
+Foam::bodyShapes::roundShape::roundShape
+(
+    const dictionary& dict,
+    const geometricSpace& space,
+    const label nDims
+)
+:
+    bodyShape(),
+    radius_(keywords::positive(dict, "radius")),
+    emptyDir_(space.emptyDir())
+{
+    keywords::check(dict, {"type", "radius"});
+
+    if (space.nDims() != nDims)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'type " << dict.get<word>("type") << "' is a shape for "
+            << nDims << "D and this mesh has " << space.nDims()
+            << " dimensions; use '" << (space.twoD() ? "disc" : "sphere")
+            << "'" << nl << exit(FatalIOError);
+    }
+}
+
+
+void Foam::bodyShapes::roundShape::distance
+(
+    const UList<point>& X,
+    UList<scalar>& d
+) const
+{
+    forAll(X, i)
+    {
+        d[i] = mag(inSpace(X[i])) - radius_;
+    }
+}
+
+
+void Foam::bodyShapes::roundShape::normal
+(
+    const UList<point>& X,
+    UList<vector>& n
+) const
+{
+    forAll(X, i)
+    {
+        const vector r(inSpace(X[i]));
+        n[i] = r/(mag(r) + VSMALL);
+    }
+}
