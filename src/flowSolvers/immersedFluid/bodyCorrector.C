@@ -2,6 +2,12 @@
 
 #include "immersedFluid.H"
 
+Foam::scalar Foam::flowSolvers::immersedFluid::fluidSpeed() const
+{
+    return CoNum*bodies_->minCellSize()/runTime_.deltaTValue();
+}
+
+
 void Foam::flowSolvers::immersedFluid::bodyCorrector
 (
     const ddtCoefficients& ddt,
@@ -21,5 +27,8 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         free && outer_ == 1
     );
 
-    converged_ = !free || change <= bodies_->tolerance()*bodies_->maxSpeed();
+    // A body that hardly moves yet is compared with the fluid
+    const scalar speed = max(bodies_->maxSpeed(), 0.01*fluidSpeed());
+
+    converged_ = !free || change <= bodies_->tolerance()*speed;
 }

@@ -139,7 +139,13 @@ bool Foam::flowSolvers::immersedFluid::outerLoop()
         return incompressibleFluid::outerLoop();
     }
 
-    return !converged_ && outer_++ < bodies_->nOuterCorrectors();
+    if (converged_ || outer_ == bodies_->nOuterCorrectors())
+    {
+        return false;
+    }
+
+    ++outer_;
+    return true;
 }
 
 

@@ -25,8 +25,16 @@ void forEach(Load& load, Function f)
     {
         f(load.force[i]);
         f(load.torque[i]);
+        f(load.fluidMomentum[i]);
+        f(load.fluidSpin[i]);
+    }
+    for (Foam::direction i = 0; i < 6; ++i)
+    {
+        f(load.inertia[i]);
     }
     f(load.volume);
+    f(load.imposedVolume);
+    f(load.imposedInertia);
     f(load.slip);
 
     f(load.a);
@@ -45,22 +53,49 @@ void forEach(Load& load, Function f)
 
 
 Foam::bodyLoad::bodyLoad()
-:
-    force(Zero),
-    torque(Zero),
-    a(0),
-    aRow(Zero),
-    aCol(Zero),
-    aRowCol(Zero),
-    volume(0),
-    slip(0)
-{}
+{
+    clearLoad();
+    clearResponse();
+}
+
+
+void Foam::bodyLoad::clearLoad()
+{
+    force = torque = fluidMomentum = fluidSpin = Zero;
+    inertia = Zero;
+    volume = imposedVolume = imposedInertia = slip = 0;
+}
+
+
+void Foam::bodyLoad::clearResponse()
+{
+    a = 0;
+    aRow = aCol = Zero;
+    aRowCol = Zero;
+}
 
 
 void Foam::bodyLoad::addForce(const vector& r, const vector& q)
 {
     force += q;
     torque += r^q;
+}
+
+
+void Foam::bodyLoad::addFluid
+(
+    const scalar V,
+    const scalar w,
+    const vector& r,
+    const vector& U
+)
+{
+    volume += V;
+    imposedVolume += w*V;
+    inertia += V*(magSqr(r)*symmTensor::I - sqr(r));
+    imposedInertia += w*V*2*magSqr(r);
+    fluidMomentum += V*U;
+    fluidSpin += V*(r^U);
 }
 
 

@@ -90,8 +90,7 @@ Foam::immersedBody::immersedBody
     freeOmega_(space.rotation()),
     ambientU_(false),
     ambientOmega_(false),
-    ddtU_(Zero),
-    ddtL_(Zero)
+    ddtFluid_{Zero, Zero}
 {
     state_.position = space.inPlane(position);
 
@@ -124,7 +123,14 @@ Foam::immersedBody::immersedBody
         }
     }
 
+    restart();
+}
+
+
+void Foam::immersedBody::restart()
+{
     old_ = oldOld_ = state_;
+    fluid_ = fluidOld_ = fluidOldOld_ = momentum(state_);
 }
 
 
@@ -194,12 +200,6 @@ Foam::tensor Foam::immersedBody::inertia(const bodyState& state) const
 }
 
 
-Foam::vector Foam::immersedBody::angularMomentum(const bodyState& state) const
-{
-    return inertia(state) & state.omega;
-}
-
-
 void Foam::immersedBody::distance
 (
     const UList<point>& x,
@@ -255,13 +255,17 @@ Foam::scalar Foam::immersedBody::maxSpeed() const
 
 void Foam::immersedBody::readState(const dictionary& dict)
 {
+    const dictionary& old = dict.subDict("old");
+
     state_ = bodyState(dict);
-    old_ = bodyState(dict.subDict("old"));
-    oldOld_ = old_;
-    ddtU_ = dict.get<vector>("acceleration");
-    ddtL_ = dict.get<vector>("angularMomentumRate");
-    load_.force = dict.get<vector>("load");
-    load_.torque = dict.get<vector>("loadTorque");
+    fluid_.linear = dict.get<vector>("fluidMomentum");
+    fluid_.angular = dict.get<vector>("fluidAngularMomentum");
+
+    old_ = oldOld_ = bodyState(old);
+    fluidOld_.linear = old.get<vector>("fluidMomentum");
+    fluidOld_.angular = old.get<vector>("fluidAngularMomentum");
+    fluidOldOld_ = fluidOld_;
+
     ambientU_ = ambientOmega_ = false;
 }
 
@@ -271,13 +275,13 @@ void Foam::immersedBody::writeState(Ostream& os) const
     os.beginBlock(name_);
 
     state_.write(os);
-    os.writeEntry("acceleration", ddtU_);
-    os.writeEntry("angularMomentumRate", ddtL_);
-    os.writeEntry("load", load_.force);
-    os.writeEntry("loadTorque", load_.torque);
+    os.writeEntry("fluidMomentum", fluid_.linear);
+    os.writeEntry("fluidAngularMomentum", fluid_.angular);
 
     os.beginBlock("old");
     old_.write(os);
+    os.writeEntry("fluidMomentum", fluidOld_.linear);
+    os.writeEntry("fluidAngularMomentum", fluidOld_.angular);
     os.endBlock();
 
     os.endBlock();

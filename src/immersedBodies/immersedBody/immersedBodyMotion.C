@@ -31,7 +31,7 @@ void Foam::immersedBody::setAmbient(const vector& U, const vector& omega)
         state_.omega = cmptMultiply(omega, space_.rotation());
     }
 
-    old_ = oldOld_ = state_;
+    restart();
     ambientU_ = ambientOmega_ = false;
 }
 
@@ -40,6 +40,9 @@ void Foam::immersedBody::beginStep()
 {
     oldOld_ = old_;
     old_ = state_;
+
+    fluidOldOld_ = fluidOld_;
+    fluidOld_ = fluid_;
 }
 
 
@@ -56,6 +59,59 @@ void Foam::immersedBody::predictPose(const scalar dt)
 }
 
 
+Foam::rigidMomentum
+Foam::immersedBody::momentum(const bodyState& state) const
+{
+    return rigidMomentum{volume()*state.U, inertia(state) & state.omega};
+}
+
+
+Foam::rigidMomentum
+Foam::immersedBody::fluidMomentum(const bodyLoad& load) const
+{
+    // Mean velocity and spin of the fluid, as cells cut by the surface do not
+    // add up to volume and inertia exactly
+    bodyState mean(state_);
+
+    mean.U = load.fluidMomentum/load.volume;
+    mean.omega = inv(load.inertia) & load.fluidSpin;
+
+    return momentum(mean);
+}
+
+
+Foam::scalarSquareMatrix Foam::immersedBody::jacobian
+(
+    const bodyLoad& load,
+    const scalar ddtCoeff
+) const
+{
+    // The fluid inside follows the body by the part that is imposed on it;
+    // what surrounds it does so within the step by the added mass, of which
+    // the projection takes its share (0.5: of a sphere)
+    const scalar addedMass = 0.5;
+    const scalar mass = ddtCoeff*volume()
+       *(densityRatio_ - load.imposedVolume/load.volume + addedMass);
+    const scalar inertiaRatio = ddtCoeff
+       *(densityRatio_ - load.imposedInertia/tr(load.inertia));
+    const tensor I(inertia(state_));
+
+    scalarSquareMatrix J(load.block());
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        J(k, k) += mass;
+
+        for (direction l = 0; l < 3; ++l)
+        {
+            J(3 + k, 3 + l) += inertiaRatio*I(k, l);
+        }
+    }
+
+    return J;
+}
+
+
 Foam::scalar Foam::immersedBody::correctVelocity
 (
     const bodyLoad& load,
@@ -64,51 +120,47 @@ Foam::scalar Foam::immersedBody::correctVelocity
 )
 {
     load_ = load;
+    fluid_ = fluidMomentum(load);
+    ddtFluid_ = ddt(fluid_, fluidOld_, fluidOldOld_);
 
-    const scalar excess = densityRatio_ - 1;
-    const tensor I(inertia(state_));
-    const vector L0(angularMomentum(old_)), L00(angularMomentum(oldOld_));
-    const bodyState before(state_);
-
-    if (isFree())
+    if (!isFree())
     {
-        const vector dU(ddt(state_.U, old_.U, oldOld_.U));
-        const vector dL(ddt(I & state_.omega, L0, L00));
-
-        const vector force(excess*volume()*(g - dU) - load.force);
-        const vector torque(-excess*dL - load.torque);
-
-        scalarSquareMatrix A(load.block());
-        scalarField b(6);
-
-        for (direction k = 0; k < 3; ++k)
-        {
-            b[k] = force[k];
-            b[3 + k] = torque[k];
-            A(k, k) += excess*volume()*ddt.c;
-
-            for (direction l = 0; l < 3; ++l)
-            {
-                A(3 + k, 3 + l) += excess*ddt.c*I(k, l);
-            }
-        }
-
-        for (direction k = 0; k < 3; ++k)
-        {
-            if (freeU_[k] < 0.5) lock(A, b, k);
-            if (freeOmega_[k] < 0.5) lock(A, b, 3 + k);
-        }
-
-        LUsolve(A, b);
-
-        state_.U += vector(b[0], b[1], b[2]);
-        state_.omega += vector(b[3], b[4], b[5]);
+        return 0;
     }
 
-    ddtU_ = ddt(state_.U, old_.U, oldOld_.U);
-    ddtL_ = ddt(I & state_.omega, L0, L00);
+    const rigidMomentum residual
+    (
+        densityRatio_
+       *ddt(momentum(state_), momentum(old_), momentum(oldOld_))
+      - ddtFluid_
+      + rigidMomentum
+        {
+            load.force - (densityRatio_ - 1)*volume()*g,
+            load.torque
+        }
+    );
 
-    return
-        mag(state_.U - before.U)
-      + shape_->boundingRadius()*mag(state_.omega - before.omega);
+    scalarSquareMatrix J(jacobian(load, ddt.c));
+    scalarField change(6);
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        change[k] = -residual.linear[k];
+        change[3 + k] = -residual.angular[k];
+    }
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (freeU_[k] < 0.5) lock(J, change, k);
+        if (freeOmega_[k] < 0.5) lock(J, change, 3 + k);
+    }
+
+    LUsolve(J, change);
+
+    const vector dU(change[0], change[1], change[2]);
+    const vector dOmega(change[3], change[4], change[5]);
+
+    state_.U += dU;
+    state_.omega += dOmega;
+
+    return mag(dU) + shape_->boundingRadius()*mag(dOmega);
 }

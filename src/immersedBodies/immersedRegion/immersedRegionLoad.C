@@ -89,8 +89,7 @@ void Foam::immersedRegion::load
         const bodyState& state = bodies[bodyi].state();
         bodyLoad& load = loads[bodyi];
 
-        load.force = load.torque = Zero;
-        load.volume = load.slip = 0;
+        load.clearLoad();
 
         forAll(region.cells, i)
         {
@@ -115,20 +114,29 @@ void Foam::immersedRegion::load
 
             const scalar inside = 0.5 - region.distance[i]/region.h[i];
 
-            load.volume += V[celli]*min(max(inside, 0), 1);
-
-            if (inside > 1.5)
+            if (inside > 0)
             {
-                load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
+                const vector Unew(U[celli] - dU[celli]);
+
+                load.addFluid
+                (
+                    V[celli]*min(inside, 1),
+                    K[celli]/(A0[celli] + K[celli]),
+                    r,
+                    Unew
+                );
+
+                // Deeper than a cell, where the layer has come to an end
+                if (inside > 1.5)
+                {
+                    load.slip += V[celli]*magSqr(Unew - Ub);
+                }
             }
         }
 
         if (response)
         {
-            load.a = 0;
-            load.aRow = load.aCol = Zero;
-            load.aRowCol = Zero;
-
+            load.clearResponse();
             addResponse(E0, A0, state.position, region, load);
         }
     }
