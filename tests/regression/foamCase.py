@@ -24,14 +24,18 @@ class FoamError(Exception):
 
 
 class FoamCase:
-    """The case folder `source`, copied to `tmp_path` (0.orig becomes 0)."""
+    """The case folder `source`, copied to `tmp_path`.
+
+    0.orig becomes 0 where there is no 0.
+    """
 
     def __init__(self, source, tmp_path, name=None):
         source = Path(source)
         self.path = Path(tmp_path) / (name or source.name)
         shutil.copytree(source, self.path)
-        if (self.path / "0.orig").is_dir():
-            shutil.copytree(self.path / "0.orig", self.path / "0")
+        start = self.path / "0"
+        if (self.path / "0.orig").is_dir() and not start.exists():
+            shutil.copytree(self.path / "0.orig", start)
 
     def run(self, app, *args, ranks=1):
         """Run a program, return its log; FoamError if it fails.

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wrong input is refused before any time step, with what to do about it."""
+
+import pytest
+
+from bodyCase import BodyCase
+from boxMesh import uniform
+from foamCase import FoamError
+
+FILE = "constant/immersedBodyProperties"
+
+# What is wrong: (file, text of the case, text instead, parts of the message)
+DISC = "{ type disc; radius 0.25; }"
+BODY = "position    (-0.53 -0.3 0);"
+WRONG = {
+    # Keywords
+    "keyword": (
+        FILE, "rho  ", "roh  ",
+        ["'roh'", "nearest valid one is 'rho'", "Valid keywords", FILE],
+    ),
+    "keyword of a body": (
+        FILE, "density ", "desnity ",
+        ["'desnity'", "'density'", "'disc'", "constraints", FILE],
+    ),
+    "keyword of a shape": (
+        FILE, "radius", "raduis 0.25; radius",
+        ["'raduis'", "nearest valid one is 'radius'", FILE],
+    ),
+    "keyword of the coupling": (
+        FILE, "bodies\n", "coupling { tolerence 1e-4; }\nbodies\n",
+        ["'tolerence'", "nearest valid one is 'tolerance'",
+         "nOuterCorrectors", "'coupling'", FILE],
+    ),
+    "keyword of the resistance": (
+        FILE, "bodies\n", "resistance { steepnes 1; }\nbodies\n",
+        ["'steepnes'", "nearest valid one is 'steepness'", "'resistance'",
+         FILE],
+    ),
+    "keyword of the constraints": (
+        FILE, BODY, BODY + " constraints { translation (1 0 0); }",
+        ["'translation'", "nearest valid one is 'translate'", "rotate", FILE],
+    ),
+
+    # Types
+    "type of shape": (
+        FILE, "type disc", "type disk",
+        ["'type disk'", "nearest valid one is 'disc'", "sphere", FILE],
+    ),
+    "no type of shape": (FILE, "type disc;", "", ["'type'", FILE]),
+    "type of resistance": (
+        FILE, "bodies\n", "resistance { type exponent; }\nbodies\n",
+        ["'type exponent'", "nearest valid one is 'exponential'",
+         "distanceWeighted", FILE],
+    ),
+    "type of contact": (
+        FILE, "bodies\n", "contact { type softSphere; }\nbodies\n",
+        ["'type softSphere'", "none", "contact", FILE],
+    ),
+    "sphere in 2D": (
+        FILE, "type disc", "type sphere",
+        ["'type sphere'", "use 'disc'", FILE],
+    ),
+
+    # Values
+    "negative radius": (
+        FILE, "radius 0.25", "radius -0.25",
+        ["'radius -0.25'", "greater than 0", FILE],
+    ),
+    "no radius": (FILE, "radius 0.25;", "", ["'radius'", FILE]),
+    "negative rho": (
+        FILE, "rho             1", "rho -1",
+        ["'rho -1'", "greater than 0", FILE],
+    ),
+    "density without rho": (
+        FILE, "rho             1;", "",
+        ["'density'", "set 'rho'", "densityRatio", FILE],
+    ),
+    "no density": (
+        FILE, "density     2;", "",
+        ["'disc'", "one of 'density' and 'densityRatio'", FILE],
+    ),
+    "steepness": (
+        FILE, "bodies\n", "resistance { steepness 2; }\nbodies\n",
+        ["'steepness'", "'auto' or a number from 1 to 1.2", FILE],
+    ),
+    "zero iterations": (
+        FILE, "bodies\n", "coupling { nOuterCorrectors 0; }\nbodies\n",
+        ["'nOuterCorrectors 0'", "greater than 0", FILE],
+    ),
+    "velocity": (
+        FILE, "velocity    ambient", "velocity (1 0 0.1)",
+        ["'velocity'", "'disc'", "out of the plane", FILE],
+    ),
+
+    # Places
+    "no position": (
+        FILE, BODY, "",
+        ["'disc'", "exactly one of", "positionsFile", FILE],
+    ),
+    "position outside": (
+        FILE, BODY, "position (5 0 0);",
+        ["'position (5 0 0)'", "'disc'", "outside the mesh", "(3 1 0.05)",
+         FILE],
+    ),
+    "overlap": (
+        FILE, BODY, "positions ((-0.5 0 0) (-0.1 0 0));",
+        ["overlap", "disc1 and disc2", FILE],
+    ),
+    "overlap with a wall": (
+        FILE, BODY, "position (0 0.8 0);",
+        ["overlap", "disc and a wall", FILE],
+    ),
+    "file of positions": (
+        FILE, BODY, 'positionsFile "constant/grains";',
+        ["'positionsFile'", "constant/grains", FILE],
+    ),
+
+    # Other dictionaries
+    "steady state": (
+        "system/fvSchemes", "backward", "steadyState",
+        ["ddt(U)", "steadyState", "Euler", "backward", "system/fvSchemes"],
+    ),
+    "Crank-Nicolson": (
+        "system/fvSchemes", "backward", "CrankNicolson 0.9",
+        ["ddt(U)", "CrankNicolson", "Euler", "backward", "system/fvSchemes"],
+    ),
+    "solver": (
+        "system/controlDict", "immersedFluid", "immersedfluid",
+        ["immersedfluid", "immersedFluid", "incompressibleFluid",
+         "system/controlDict"],
+    ),
+}
+
+MOVING_MESH = """FoamFile
+{
+    version     2.0;
+    format      ascii;
+    class       dictionary;
+    object      dynamicMeshDict;
+}
+
+dynamicFvMesh   dynamicMotionSolverFvMesh;
+motionSolverLibs (fvMotionSolvers);
+motionSolver    displacementLaplacian;
+diffusivity     uniform;
+"""
+
+
+@pytest.fixture(scope="module")
+def tube(tmp_path_factory):
+    """Coarse tube with one disc, D/h = 5, meshed."""
+    case = BodyCase("tube", tmp_path_factory.mktemp("messages"))
+    case.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
+    case.controls(endTime="0.02")
+    return case
+
+
+def refusal(case):
+    """Message of a run that has to fail before its first time step."""
+    with pytest.raises(FoamError):
+        case.run("foamRun")
+    log = (case.path / "log.foamRun").read_text()
+    assert "FOAM FATAL" in log
+    assert "\nTime = " not in log
+    assert case.times() == ["0"]
+    return log
+
+
+def test_the_case_itself_runs(tube, tmp_path):
+    case = BodyCase(tube, tmp_path)
+    assert "\nTime = 0.02" in case.run("foamRun")
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_wrong_entries_are_refused(wrong, tube, tmp_path):
+    file, text, instead, message = WRONG[wrong]
+    case = BodyCase(tube, tmp_path, "tube")
+    case.replace(file, text, instead)
+
+    log = refusal(case)
+
+    assert [part for part in message if part not in log] == []
+
+
+def test_disc_in_three_dimensions(tmp_path):
+    case = BodyCase("box", tmp_path)
+    case.mesh(*3*[uniform(-1, 1, 10)])
+    case.replace(FILE, "type sphere", "type disc")
+
+    log = refusal(case)
+
+    assert "'type disc'" in log
+    assert "use 'sphere'" in log
+    assert FILE in log
+
+
+def test_moving_mesh(tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    (case.path / "constant/dynamicMeshDict").write_text(MOVING_MESH)
+    (case.path / "0/pointDisplacement").write_text("""FoamFile
+{
+    version     2.0;
+    format      ascii;
+    class       pointVectorField;
+    object      pointDisplacement;
+}
+dimensions [0 1 0 0 0 0 0];
+internalField uniform (0 0 0);
+boundaryField
+{
+    ".*" { type fixedValue; value uniform (0 0 0); }
+    frontAndBack { type empty; }
+}
+""")
+
+    log = refusal(case)
+
+    assert "need a mesh at rest" in log
+    assert "constant/dynamicMeshDict" in log
+
+
+def test_restart_without_the_state_of_a_body(tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    case.controls(writeControl="timeStep", writeInterval="1")
+    case.run("foamRun")
+    case.controls(endTime="0.04")
+    case.replace(FILE, "disc\n", "pea\n")
+
+    with pytest.raises(FoamError) as error:
+        case.run("foamRun")
+
+    message = str(error.value)
+    for part in ("'pea'", "(disc)", FILE, "0.02/uniform/immersedBodies"):
+        assert part in message
+    assert case.latest_time() == "0.02"
+
+
+@pytest.mark.parametrize("radius, warned", [(0.19, True), (0.21, False)])
+def test_few_cells_are_warned_of(radius, warned, tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    case.replace(FILE, "radius 0.25", f"radius {radius}")
+
+    log = case.run("foamRun")
+
+    assert ("Body 'disc' has only 3.8 cells across" in log) == warned
+    assert ("FOAM Warning" in log) == warned
+    assert (FILE in log) == warned
+
+
+def test_small_gaps_are_warned_of_once(tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    case.replace(FILE, BODY, "position (-0.5 -0.7 0);")
+    case.controls(endTime="0.06")
+
+    log = case.run("foamRun")
+
+    assert log.count("m between disc and a wall, below the cell size") == 1
+
+
+def test_overlap_during_the_run_stops_it_with_the_state(tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    case.bodies(f"""
+        a
+        {{
+            shape {DISC}
+            position (-1 0 0);
+            velocity (1 0 0);
+            constraints {{ translate (0 0 0); rotate (0 0 0); }}
+        }}
+        b {{ $a; position (-0.47 0 0); velocity (0 0 0); }}
+    """)
+    case.controls(endTime="0.2")
+
+    with pytest.raises(FoamError) as error:
+        case.run("foamRun")
+
+    # The gap of 0.03 m closes at 0.03 s
+    message = str(error.value)
+    assert "a and b" in message
+    assert "Stopped at time 0.04" in message
+    assert (case.path / "0.04/uniform/immersedBodies").exists()
+
+
+def test_function_objects_without_bodies(tube, tmp_path):
+    case = BodyCase(tube, tmp_path, "tube")
+    (case.path / FILE).unlink()
+    case.replace(
+        "system/fvSchemes", "none;",
+        "none;\n    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
+    )
+
+    with pytest.raises(FoamError) as error:
+        case.run("foamRun")
+
+    assert "'motion' needs immersed bodies" in str(error.value)
+    assert FILE in str(error.value)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run in two parts gives what the run in one go gives, to the last bit."""
+
+import pytest
+
+from bodyCase import BodyCase
+from boxMesh import uniform
+
+VARIANTS = {
+    "backward": {},
+    "Euler": {},
+    "backward, adjusted time step": {
+        "adjustTimeStep": "yes",
+        "maxCo": "0.3",
+        "writeControl": "adjustable",
+    },
+}
+
+
+@pytest.fixture(scope="module")
+def tube(tmp_path_factory):
+    case = BodyCase("tube", tmp_path_factory.mktemp("restart"))
+    case.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
+    case.controls(endTime="0.2", writeInterval="0.1", writePrecision="17")
+    return case
+
+
+def results(case, ranks):
+    """Contents of all files of the last time, by their names."""
+    folders = ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
+    assert float(case.latest_time(folders[0])) == 0.2
+    return {
+        str(file.relative_to(case.path)): file.read_bytes()
+        for folder in folders
+        for file in (case.path / folder / "0.2").rglob("*")
+        if file.is_file()
+    }
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_restart_is_exact(variant, ranks, tube, tmp_path):
+    at_once = BodyCase(tube, tmp_path, "atOnce")
+    at_once.controls(**VARIANTS[variant])
+    at_once.replace("system/fvSchemes", "backward", variant.split(",")[0])
+    if ranks > 1:
+        at_once.decompose(ranks)
+    in_parts = BodyCase(at_once, tmp_path, "inParts")
+
+    at_once.solve(ranks)
+    in_parts.controls(endTime="0.1")
+    in_parts.solve(ranks)
+    in_parts.controls(endTime="0.2")
+    in_parts.solve(ranks)
+
+    expected, obtained = results(at_once, ranks), results(in_parts, ranks)
+    for name in ("U", "phi", "p", "uniform/immersedBodies"):
+        assert any(file.endswith("0.2/" + name) for file in expected)
+    assert sorted(obtained) == sorted(expected)
+    assert [f for f in expected if obtained[f] != expected[f]] == []
+
+    # Steps of several lengths, or the variant is none
+    times = at_once.table("motion")["time"]
+    steps = {round(t2 - t1, 10) for t1, t2 in zip(times, times[1:])}
+    assert (len(steps) > 1) == ("adjusted" in variant)
+
+    # The tables of the two parts are those of the run at once
+    for table in ("motion", "forces"):
+        columns = at_once.table(table)
+        parts = in_parts.table(table)
+        assert all((columns[name] == parts[name]).all() for name in columns)
