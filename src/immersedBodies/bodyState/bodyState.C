@@ -35,7 +35,7 @@ void Foam::bodyState::move
     {
         orientation =
             quaternion(normalised(omegaMean), angle)*orientation;
-        orientation.normalize();
+        orientation /= mag(orientation);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "compat.H"
 #include "checkKeywords.H"
 #include "fvcGrad.H"
 
@@ -186,8 +187,7 @@ void Foam::immersedBodies::measureCells()
         }
     }
 
-    Pstream::listCombineGather(h_, maxEqOp<scalar>());
-    Pstream::listCombineScatter(h_);
+    compat::allReduce(h_, maxEqOp<scalar>());
 
     // A body smaller than a cell may have no centre of one near its surface
     forAll(h_, bodyi)
@@ -209,8 +209,7 @@ void Foam::immersedBodies::checkInside() const
         found[bodyi] = mesh_.findCell(bodies_[bodyi].state().position) >= 0;
     }
 
-    Pstream::listCombineGather(found, maxEqOp<label>());
-    Pstream::listCombineScatter(found);
+    compat::allReduce(found, maxEqOp<label>());
 
     forAll(bodies_, bodyi)
     {
@@ -279,12 +278,9 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
         }
     }
 
-    Pstream::listCombineGather(centreU, plusEqOp<vector>());
-    Pstream::listCombineScatter(centreU);
-    Pstream::listCombineGather(spin, plusEqOp<vector>());
-    Pstream::listCombineScatter(spin);
-    Pstream::listCombineGather(found, plusEqOp<label>());
-    Pstream::listCombineScatter(found);
+    compat::allReduce(centreU, plusEqOp<vector>());
+    compat::allReduce(spin, plusEqOp<vector>());
+    compat::allReduce(found, plusEqOp<label>());
 
     forAll(bodies_, bodyi)
     {

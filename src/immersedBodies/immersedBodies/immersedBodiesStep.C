@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "compat.H"
 
 void Foam::immersedBodies::beginStep()
 {
@@ -48,8 +49,7 @@ void Foam::immersedBodies::reduceLoads(const bool response)
         loads_[bodyi].pack(packed, n*bodyi, n);
     }
 
-    Pstream::listCombineGather(packed, plusEqOp<scalar>());
-    Pstream::listCombineScatter(packed);
+    compat::allReduce(packed, plusEqOp<scalar>());
 
     forAll(loads_, bodyi)
     {
@@ -111,7 +111,7 @@ void Foam::immersedBodies::shareState()
         to[4] = state.omega;
     }
 
-    Pstream::scatter(packed);
+    compat::broadcast(packed);
 
     forAll(bodies_, bodyi)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "proximityMonitor.H"
+#include "compat.H"
 #include "SortableList.H"
 #include "wallPolyPatch.H"
 
@@ -102,8 +103,7 @@ bool Foam::proximityMonitor::check
         box.add(bodies[i].state().position);
     }
 
-    Pstream::listCombineGather(wallGaps, minEqOp<scalar>());
-    Pstream::listCombineScatter(wallGaps);
+    compat::allReduce(wallGaps, minEqOp<scalar>());
 
     bool overlap = false;
 
