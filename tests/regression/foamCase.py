@@ -53,6 +53,8 @@ class FoamCase:
             os.environ,
             OMPI_ALLOW_RUN_AS_ROOT="1",
             OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+            # Waiting ranks leave the core to others: there may be too few
+            OMPI_MCA_mpi_yield_when_idle="1",
         )
         done = subprocess.run(
             command, cwd=self.path, env=environment, text=True,

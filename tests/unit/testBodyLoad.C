@@ -3,6 +3,7 @@
 #include "testTools.H"
 #include "bodyLoad.H"
 #include "PstreamReduceOps.H"
+#include <algorithm>
 
 using namespace Foam;
 using testTools::difference;
@@ -32,8 +33,8 @@ bodyLoad randomLoad(RandomNumbers& random)
         const vector ri(random.vector()), rj(random.vector());
         load.addForce(ri, random.vector());
         load.addResponse(random.number(), ri, rj);
+        load.addFluid(random.number(), random.number(), ri, random.vector());
     }
-    load.volume = random.number();
     load.slip = random.number();
 
     return load;
@@ -43,19 +44,24 @@ bodyLoad randomLoad(RandomNumbers& random)
 //- Largest difference between any two entries
 scalar loadDifference(const bodyLoad& x, const bodyLoad& y)
 {
-    return max
-    (
-        max
-        (
-            max(difference(x.force, y.force), difference(x.torque, y.torque)),
-            max(difference(x.aRow, y.aRow), difference(x.aCol, y.aCol))
-        ),
-        max
-        (
-            max(difference(x.aRowCol, y.aRowCol), mag(x.a - y.a)),
-            max(mag(x.volume - y.volume), mag(x.slip - y.slip))
-        )
-    );
+    const std::vector<scalar> differences
+    {
+        difference(x.force, y.force),
+        difference(x.torque, y.torque),
+        difference(x.fluidMomentum, y.fluidMomentum),
+        difference(x.fluidSpin, y.fluidSpin),
+        difference(x.inertia, y.inertia),
+        mag(x.volume - y.volume),
+        mag(x.imposedVolume - y.imposedVolume),
+        mag(x.imposedInertia - y.imposedInertia),
+        mag(x.slip - y.slip),
+        difference(x.aRow, y.aRow),
+        difference(x.aCol, y.aCol),
+        difference(x.aRowCol, y.aRowCol),
+        mag(x.a - y.a)
+    };
+
+    return *std::max_element(differences.begin(), differences.end());
 }
 
 } // End anonymous namespace
@@ -69,6 +75,59 @@ TEST_CASE("Forces add up, torques are about the centre", "[bodyLoad]")
 
     CHECK(difference(load.force, vector(1, 2, 4)) < 1e-14);
     CHECK(difference(load.torque, vector(12, 0, 2 - 3)) < 1e-14);
+}
+
+
+TEST_CASE("Fluid in rigid motion has its momentum", "[bodyLoad]")
+{
+    RandomNumbers random;
+    const vector U(random.vector()), omega(random.vector());
+    const scalar w = 0.25;
+    bodyLoad load;
+    scalar volume = 0, polar = 0;
+    vector first(Zero);
+
+    for (int i = 0; i < 10; ++i)
+    {
+        const vector r(random.vector());
+        const scalar V = 2 + random.number();
+        load.addFluid(V, w, r, U + (omega^r));
+        volume += V;
+        polar += V*magSqr(r);
+        first += V*r;
+    }
+
+    CHECK(load.volume == near(volume));
+    CHECK(load.imposedVolume == near(w*volume));
+    CHECK(tr(load.inertia) == near(2*polar));
+    CHECK(load.imposedInertia == near(w*tr(load.inertia)));
+    CHECK(difference
+    (
+        load.fluidMomentum,
+        volume*U + (omega^first)
+    ) < 1e-12);
+    CHECK(difference
+    (
+        load.fluidSpin,
+        (load.inertia & omega) + (first^U)
+    ) < 1e-12);
+}
+
+
+TEST_CASE("Clearing leaves nothing behind", "[bodyLoad]")
+{
+    RandomNumbers random;
+    bodyLoad load(randomLoad(random));
+    const bodyLoad before(load);
+
+    load.clearLoad();
+    CHECK(load.force == vector::zero);
+    CHECK(load.inertia == symmTensor::zero);
+    CHECK(load.slip == 0);
+    CHECK(load.aRowCol == before.aRowCol);
+
+    load.clearResponse();
+    CHECK(loadDifference(load, bodyLoad()) == 0);
 }
 
 
@@ -179,14 +238,16 @@ TEST_CASE("The load without response is the first part", "[bodyLoad]")
     const bodyLoad before(copy);
     copy.unpack(data, 0, bodyLoad::nPackedLoad);
 
-    CHECK(copy.force == load.force);
-    CHECK(copy.torque == load.torque);
-    CHECK(copy.volume == load.volume);
-    CHECK(copy.slip == load.slip);
     CHECK(copy.a == before.a);
     CHECK(copy.aRow == before.aRow);
     CHECK(copy.aCol == before.aCol);
     CHECK(copy.aRowCol == before.aRowCol);
+
+    copy.a = load.a;
+    copy.aRow = load.aRow;
+    copy.aCol = load.aCol;
+    copy.aRowCol = load.aRowCol;
+    CHECK(loadDifference(copy, load) == 0);
 }
 
 

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Forces and motions against reference values, on meshes of 8 to 16 cells per
+diameter. The figures go to figures.txt beside this file."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from bodyCase import BodyCase
+from boxMesh import graded, uniform
+
+FIXED = "constraints { translate (0 0 0); rotate (0 0 0); }"
+DEPTH = 0.1
+
+
+@pytest.fixture(scope="module")
+def figures():
+    """Table of all figures, written at the end."""
+    lines = []
+    yield lines
+    width = max(len(line[0]) for line in lines)
+    head = f"{'case':<{width}}  {'measured':>12}  {'reference':>12}  " \
+        "error %  within %    run s"
+    text = "\n".join([head] + [
+        f"{name:<{width}}  {value:12.7g}  {reference:12.7g}  "
+        f"{100*(value/reference - 1):7.3f}  {100*tolerance:8.3f}  {run:7.1f}"
+        for name, value, reference, tolerance, run in lines
+    ])
+    print("\n" + text)
+    (Path(__file__).parent / "figures.txt").write_text(text + "\n")
+
+
+@pytest.fixture
+def compare(figures):
+    """Note a figure and compare it to the reference."""
+    def compare(name, value, reference, tolerance, run):
+        figures.append((name, value, reference, tolerance, run))
+        assert value == pytest.approx(reference, rel=tolerance)
+
+    return compare
+
+
+def solve(case):
+    """Run the solver, return the time it takes [s]."""
+    start = time.perf_counter()
+    case.solve()
+    return time.perf_counter() - start
+
+
+def around(centre, half_width, h, offset=0.0):
+    """Core of cells of size h about the centre, shifted by offset cells."""
+    n = round(half_width/h)
+    return centre - (n + offset)*h, centre + (n - offset)*h
+
+
+def steady(values, tolerance):
+    """The last of the values, which must not change in the last quarter."""
+    last = values[-1]
+    quarter = values[3*len(values)//4:]
+    assert np.abs(quarter/last - 1).max() < tolerance
+    return last
+
+
+# Body-fitted finite elements (Taylor-Hood, extrapolated) at Re = 2: half width
+# 1, mean speed 1, ends at x = -3 and 3, R = 0.065
+TUBE_DRAG = {-0.3: 4.5869025, 0: 5.2104927}
+
+
+@pytest.mark.parametrize("y, cells, offset, tolerance", [
+    (-0.3, 8, (0, 0), 3e-3),
+    (-0.3, 8, (0.3, 0.4), 3e-3),
+    (0, 8, (0, 0), 3e-3),
+    (-0.3, 16, (0.3, 0.4), 8e-4),
+])
+def test_drag_of_a_disc_in_a_tube(
+    y, cells, offset, tolerance, compare, tmp_path
+):
+    radius = 0.065
+    h = 2*radius/cells
+    fine = cells > 8
+    case = BodyCase("tube", tmp_path)
+    case.mesh(*(
+        graded(
+            -size, size,
+            around(centre, 5*radius if fine else 4*radius, h, shift),
+            h, 1.05 if fine else 1.08,
+        )
+        for size, centre, shift in zip((3, 1), (0, y), offset)
+    ))
+    case.bodies(f"""
+        disc
+        {{
+            shape {{ type disc; radius {radius}; }}
+            position (0 {y} 0);
+            {FIXED}
+        }}
+    """)
+    case.controls(endTime="4", deltaT="0.05")
+    run = solve(case)
+
+    drag = steady(case.table("forces")["fluidForce_x"], 1e-4)/DEPTH
+    compare(
+        f"disc in a tube, drag, y {y}, D/h {cells}, offset {offset}",
+        drag, TUBE_DRAG[y], tolerance, run,
+    )
+
+
+def test_drag_of_a_cylinder_in_a_channel(compare, tmp_path):
+    """Benchmark 2D-1 of Schaefer & Turek 1996."""
+    radius, h = 0.05, 0.01
+    case = BodyCase("cylinder", tmp_path)
+    case.mesh(
+        graded(0, 2.2, (0.1, 0.5), h, 1.05), uniform(0, 0.41, 41)
+    )
+    case.controls(endTime="8", deltaT="0.02")
+    run = solve(case)
+
+    force = steady(case.table("forces")["fluidForce_x"], 1e-4)/DEPTH
+    compare(
+        "cylinder in a channel (2D-1), C_D, D/h 10",
+        2*force/(0.2**2*2*radius), 5.57953523384, 2e-3, run,
+    )
+
+
+def test_free_disc_in_a_tube(compare, tmp_path):
+    """Carried at its height through the mesh, turning freely."""
+    radius, y = 0.065, -0.3
+    h = 2*radius/8
+    case = BodyCase("tube", tmp_path)
+    case.mesh(
+        graded(-3, 3, (-0.7 - 12*h, -0.7 + 96*h), h),
+        graded(-1, 1, around(y, 4*radius, h, 0.2), h),
+    )
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius {radius}; }}
+            density     2;
+            position    (-0.7 {y} 0);
+            velocity    ambient;
+            constraints {{ translate (1 0 0); }}
+        }}
+    """, "rho 1;")
+    case.controls(endTime="1", deltaT="0.005")
+    run = solve(case)
+
+    motion = case.table("motion")
+    half = motion["time"] > 0.5
+    for name, column, reference, tolerance in (
+        ("V_x", "velocity_x", 1.3612906, 1e-3),
+        ("spin", "angularVelocity_z", -0.4486122, 2e-3),
+    ):
+        compare(
+            f"free disc in a tube, {name}, D/h 8",
+            motion[column][half].mean(), reference, tolerance, run,
+        )
+    assert motion["velocity_y"] == pytest.approx(0, abs=0)
+    assert np.ptp(motion["position_x"]) > 80*h
+
+
+@pytest.mark.parametrize("motion, speed, reference", [
+    ("held", 1.5, 21.2947029),
+    ("towed", 0.02, 21.963553),
+])
+def test_drag_of_a_disc_between_plates(
+    motion, speed, reference, compare, tmp_path
+):
+    """Stokes flow, D/H = 0.25; force over viscosity and speed, exact."""
+    case = BodyCase("tube", tmp_path)
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear",
+        "div(phi,U)          none",
+    )
+    if motion == "held":
+        case.mesh(uniform(-3, 3, 96), uniform(-1, 1, 32))
+    else:
+        # At rest: no inflow, the disc is moved along the centre line
+        case.replace("0.orig/U", "1.5*(1 - sqr(pos().y()))", "0")
+        case.replace("0/U", "1.5*(1 - sqr(pos().y()))", "0")
+        case.replace(
+            "system/setExprFieldsDict", "1.5*(1 - sqr(pos().y()))", "0"
+        )
+        case.mesh(uniform(-3, 3, 96), uniform(-1, 1, 32))
+    velocity = f"({speed} 0 0)" if motion == "towed" else "(0 0 0)"
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.25; }}
+            position    (-0.05 0 0);
+            velocity    {velocity};
+            {FIXED}
+        }}
+    """)
+    # The disc is towed over two cells
+    case.controls(endTime="6", deltaT="0.05")
+    run = solve(case)
+
+    force = case.table("forces")["fluidForce_x"]/DEPTH/0.5/speed
+    if motion == "towed":
+        force *= -1
+    compare(
+        f"disc between plates, {motion}, F/(mu U), D/h 8",
+        steady(force, 2e-3), reference, 1e-2, run,
+    )
