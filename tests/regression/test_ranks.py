@@ -7,7 +7,7 @@ import pytest
 from bodyCase import BodyCase
 from boxMesh import uniform
 
-TIGHT = "coupling { tolerance 1e-9; nOuterCorrectors 50; }"
+TIGHT = "coupling { tolerance 1e-9; nOuterCorrectors 25; }"
 
 FREE = """
     free
@@ -23,7 +23,7 @@ FIXED = """
     fixed
     {
         shape       { type disc; radius 0.2; }
-        positions   ((-0.55 0.45 0) (0.5 0.4 0));
+        positions   ((-0.57 0.43 0) (0.52 0.41 0));
         constraints { translate (0 0 0); rotate (0 0 0); }
     }
 """
@@ -53,7 +53,13 @@ def meshed(tmp_path_factory):
         if kind == "tube":
             case.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
         else:
-            case.mesh(*3*[uniform(-0.75, 0.75, 15)])
+            case.mesh(*3*[uniform(-0.75, 0.75, 14)])
+        # Few messages between ranks: there may be fewer cores
+        case.replace("system/fvSolution", "GAMG;", "PCG;")
+        case.replace(
+            "system/fvSolution",
+            "smoother        GaussSeidel", "preconditioner  DIC",
+        )
         case.replace("system/fvSolution", "1e-8", "1e-12")
         case.replace("system/fvSolution", "0.01", "0")
         case.replace("system/fvSolution", "1e-9", "1e-12")
@@ -73,7 +79,7 @@ def run(meshed, tmp_path_factory):
             mesh = meshed["box" if scene == "sphere" else "tube"]
             case = BodyCase(mesh, tmp_path_factory.mktemp("run"), "case")
             case.bodies(SCENES[scene], TIGHT)
-            steps = 4 if scene == "sphere" else 12
+            steps = 2 if scene == "sphere" else 6
             case.controls(
                 endTime=str(0.02*steps), writeInterval=str(0.02*steps)
             )
@@ -96,9 +102,9 @@ def difference(a, b):
 def test_any_number_of_ranks_gives_the_same(scene, ranks, run):
     serial, parallel = run(scene, 1), run(scene, ranks)
 
-    # The free body is on both sides of the boundary at x = 0, and moves
+    # The free body moves, and is on both sides of the boundary at x = 0
     motion = serial.table("motion")
-    assert np.ptp(motion["position_x"]) > 0.01
+    assert np.ptp(motion["position_x"]) > 1e-3
     assert np.abs(motion["position_x"]).max() < 0.25
 
     for body in range(BODIES[scene]):
@@ -133,7 +139,7 @@ def test_a_body_crosses_to_another_rank(ranks, meshed, tmp_path):
             moved
             {
                 shape       { type disc; radius 0.25; }
-                position    (-0.3 0.05 0);
+                position    (-0.31 0.037 0);
                 velocity    (3 0 0);
                 angularVelocity (0 0 1);
                 constraints { translate (0 0 0); rotate (0 0 0); }
@@ -143,6 +149,6 @@ def test_a_body_crosses_to_another_rank(ranks, meshed, tmp_path):
         case.solve(n, PARTS.get(n))
         tables.append(case.table("forces"))
 
-    assert case.table("motion")["position_x"][-1] == pytest.approx(0.3)
+    assert case.table("motion")["position_x"][-1] == pytest.approx(0.29)
     for column in ("fluidForce_x", "fluidForce_y", "fluidTorque_z"):
         assert difference(tables[0][column], tables[1][column]) < 1e-7, column
