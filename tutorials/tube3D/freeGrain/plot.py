@@ -52,7 +52,7 @@ def velocity(grain):
                     label="exact for Stokes flow, on the axis")
     axes[2].plot(grain["time"], 2*grain["position_y"], "k:", linewidth=1,
                  label="half the vorticity of the undisturbed flow")
-    axes[0].legend(loc="upper right", bbox_to_anchor=(1, 0.94))
+    axes[0].legend(loc="upper right", bbox_to_anchor=(1, 0.88))
     axes[2].legend()
     axes[2].set_xlabel("time [s]")
     figure.align_ylabels()
