@@ -272,6 +272,15 @@ def test_mass_is_conserved(run):
     assert max(map(float, local)) < 1e-6
 
 
+def test_a_run_stops_at_the_next_write_if_asked_to(meshed, tmp_path):
+    case = BodyCase(meshed, tmp_path)
+    case.controls(stopAt="nextWrite")
+    case.solve()
+
+    assert case.times() == ["0", "0.02"]
+    assert (case.path / "0.02/uniform/immersedBodies").exists()
+
+
 def test_check_stops_before_the_first_step(meshed, tmp_path):
     case = BodyCase(meshed, tmp_path)
     log = case.run("foamRun", "-check")

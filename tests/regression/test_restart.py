@@ -20,7 +20,10 @@ VARIANTS = {
 def tube(tmp_path_factory):
     case = BodyCase("tube", tmp_path_factory.mktemp("restart"))
     case.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
-    case.controls(endTime="0.2", writeInterval="0.1", writePrecision="17")
+    case.controls(
+        endTime="0.2", writeControl="timeStep", writeInterval="5",
+        writePrecision="17",
+    )
     return case
 
 
@@ -28,7 +31,7 @@ def results(case, ranks):
     """Contents of all files of the last time, by their names."""
     folders = ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
     time = case.latest_time(folders[0])
-    assert float(time) == pytest.approx(0.2, abs=0.02)
+    assert float(time) > 0.12
     return {
         str(file.relative_to(case.path)): file.read_bytes()
         for folder in folders
@@ -48,7 +51,8 @@ def test_restart_is_exact(variant, ranks, tube, tmp_path):
     in_parts = BodyCase(at_once, tmp_path, "inParts")
 
     at_once.solve(ranks)
-    in_parts.controls(endTime="0.1")
+    folder = "processor0" if ranks > 1 else "."
+    in_parts.controls(endTime=at_once.times(folder)[1])
     in_parts.solve(ranks)
     in_parts.controls(endTime="0.2")
     in_parts.solve(ranks)
