@@ -28,7 +28,10 @@ def tube(tmp_path_factory):
 
 
 def results(case, ranks):
-    """Contents of all files of the last time, by their names."""
+    """Contents of the files of the last time, by their names.
+
+    Without uniform/time: the sum of the time steps may differ in the last bit.
+    """
     folders = ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
     time = case.latest_time(folders[0])
     assert float(time) > 0.12
@@ -36,7 +39,7 @@ def results(case, ranks):
         str(file.relative_to(case.path)): file.read_bytes()
         for folder in folders
         for file in (case.path / folder / time).rglob("*")
-        if file.is_file()
+        if file.is_file() and file.name != "time"
     }
 
 
