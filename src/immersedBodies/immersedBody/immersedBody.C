@@ -90,6 +90,8 @@ Foam::immersedBody::immersedBody
     freeOmega_(space.rotation()),
     ambientU_(false),
     ambientOmega_(false),
+    lightU_(false),
+    lightOmega_(false),
     ddtFluid_{Zero, Zero}
 {
     state_.position = space.inPlane(position);

@@ -80,23 +80,46 @@ Foam::immersedBody::fluidMomentum(const bodyLoad& load) const
 }
 
 
+bool Foam::immersedBody::isLight
+(
+    const scalar response,
+    const scalar ddtInertia
+) const
+{
+    return response + (densityRatio_ - 1)*ddtInertia < 0.5*ddtInertia;
+}
+
+
 Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 (
     const bodyLoad& load,
     const scalar ddtCoeff
-) const
+)
 {
-    // The fluid inside follows the body by the part that is imposed on it;
-    // what surrounds it does so within the step by the added mass, of which
-    // the projection takes its share (0.5: of a sphere)
+    // Share of the added mass that the projection adds to the response of
+    // the momentum equation within a step (0.5: of a sphere)
     const scalar addedMass = 0.5;
-    const scalar mass = ddtCoeff*volume()
-       *(densityRatio_ - load.imposedVolume/load.volume + addedMass);
-    const scalar inertiaRatio = ddtCoeff
-       *(densityRatio_ - load.imposedInertia/tr(load.inertia));
     const tensor I(inertia(state_));
-
     scalarSquareMatrix J(load.block());
+
+    // Fluid inside counts with the part of the motion imposed on it where its
+    // own momentum is in the balance, else in full
+    lightU_ = isLight(load.a, ddtCoeff*volume());
+    lightOmega_ =
+        isLight(J(3, 3) + J(4, 4) + J(5, 5), ddtCoeff*tr(I));
+
+    const scalar mass = ddtCoeff*volume()
+       *(
+            lightU_
+          ? densityRatio_ - load.imposedVolume/load.volume + addedMass
+          : densityRatio_ - 1
+        );
+    const scalar inertiaRatio = ddtCoeff
+       *(
+            lightOmega_
+          ? densityRatio_ - load.imposedInertia/tr(load.inertia)
+          : densityRatio_ - 1
+        );
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -121,18 +144,34 @@ Foam::scalar Foam::immersedBody::correctVelocity
 {
     load_ = load;
     fluid_ = fluidMomentum(load);
-    ddtFluid_ = ddt(fluid_, fluidOld_, fluidOldOld_);
+
+    const rigidMomentum ddtBody
+    (
+        ddt(momentum(state_), momentum(old_), momentum(oldOld_))
+    );
+
+    ddtFluid_ = ddtBody;
 
     if (!isFree())
     {
         return 0;
     }
 
+    scalarSquareMatrix J(jacobian(load, ddt.c));
+    const rigidMomentum ddtInside(ddt(fluid_, fluidOld_, fluidOldOld_));
+
+    if (lightU_)
+    {
+        ddtFluid_.linear = ddtInside.linear;
+    }
+    if (lightOmega_)
+    {
+        ddtFluid_.angular = ddtInside.angular;
+    }
+
     const rigidMomentum residual
     (
-        densityRatio_
-       *ddt(momentum(state_), momentum(old_), momentum(oldOld_))
-      - ddtFluid_
+        densityRatio_*ddtBody - ddtFluid_
       + rigidMomentum
         {
             load.force - (densityRatio_ - 1)*volume()*g,
@@ -140,7 +179,6 @@ Foam::scalar Foam::immersedBody::correctVelocity
         }
     );
 
-    scalarSquareMatrix J(jacobian(load, ddt.c));
     scalarField change(6);
 
     for (direction k = 0; k < 3; ++k)
