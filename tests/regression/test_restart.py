@@ -76,4 +76,6 @@ def test_restart_is_exact(variant, ranks, tube, tmp_path):
     for table in ("motion", "forces"):
         columns = at_once.table(table)
         parts = in_parts.table(table)
-        assert all((columns[name] == parts[name]).all() for name in columns)
+        assert columns.pop("time") == pytest.approx(parts["time"])
+        differing = [n for n in columns if (columns[n] != parts[n]).any()]
+        assert differing == [], table
