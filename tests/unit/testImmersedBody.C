@@ -127,13 +127,13 @@ TEST_CASE("A body whose fluid follows it falls freely", "[immersedBody]")
 }
 
 
-TEST_CASE("In fluid that stays at rest the weight is reduced",
+TEST_CASE("In fluid that stays at rest a light body rises",
     "[immersedBody]")
 {
     const word scheme = GENERATE(as<std::string>(), "Euler", "backward");
-    const scalar ratio = GENERATE(0.01, 0.5, 2.0, 1000.0);
+    const scalar ratio = GENERATE(0.01, 0.5, 0.9);
 
-    // r V dU/dt = (r - 1) V g: light bodies rise
+    // r V dU/dt = (r - 1) V g
     immersedBody body(makeBody("densityRatio " + std::to_string(ratio) + ";"));
     const vector g(0, -9.81, 0), a((ratio - 1)/ratio*g);
     const scalar dt = 0.01;
@@ -187,6 +187,8 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
 {
     // Block of all modes, loads, and fluid inside that moves differently
     RandomNumbers random;
+    const scalar ratio = GENERATE(2.5, 0.2);
+    const bool light = ratio < 1;
     const scalar w = 0.9;
     const vector Uf(random.vector()), omegaf(random.vector());
     bodyLoad load(fluidInside(Uf, omegaf, w));
@@ -194,19 +196,19 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
     {
         const vector r(0.5*random.vector());
         const vector ri(0.5*random.vector()), rj(0.5*random.vector());
-        load.addResponse(1 + 0.1*random.number(), r, r);
-        load.addResponse(0.1*random.number(), ri, rj);
+        load.addResponse(0.3 + 0.03*random.number(), r, r);
+        load.addResponse(0.03*random.number(), ri, rj);
     }
     load.force = random.vector();
     load.torque = random.vector();
 
-    const scalar ratio = 2.5;
     const vector g(0.3, -9.81, 0.1);
     const ddtCoefficients ddt("backward", 0.1, 0.2);
 
     immersedBody body(makeBody
     (
-        "densityRatio 2.5; velocity (1 0 2); angularVelocity (0 3 1);",
+        "densityRatio " + std::to_string(ratio) + "; velocity (1 0 2);"
+        " angularVelocity (0 3 1);",
         space
     ));
     const bodyState old(body.state());
@@ -221,11 +223,14 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
     CHECK(change == near(mag(dU) + 0.5*mag(dOmega)));
 
     // Started in steady motion, with the fluid inside in that of the body:
-    // rates of change are c times the change
+    // rates of change are c times the change. Only beside a light body does
+    // the fluid inside have a motion of its own.
     const scalarSquareMatrix G(load.block());
     const scalar V = body.volume(), I = 0.4*0.25*V;
-    const vector fluidRate(ddt.c*V*(Uf - old.U));
-    const vector fluidSpinRate(ddt.c*I*(omegaf - old.omega));
+    const vector fluidRate(light*ddt.c*V*(Uf - old.U));
+    const vector fluidSpinRate(light*ddt.c*I*(omegaf - old.omega));
+    const scalar mass = light ? ratio - w + 0.5 : ratio - 1;
+    const scalar inertia = light ? ratio - w : ratio - 1;
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -233,8 +238,8 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
             fluidRate[k] - load.force[k] + (ratio - 1)*V*g[k];
         const scalar torque = fluidSpinRate[k] - load.torque[k];
 
-        scalar translation = (ratio - w + 0.5)*ddt.c*V*dU[k];
-        scalar rotation = (ratio - w)*ddt.c*I*dOmega[k];
+        scalar translation = mass*ddt.c*V*dU[k];
+        scalar rotation = inertia*ddt.c*I*dOmega[k];
         for (direction l = 0; l < 3; ++l)
         {
             translation += G(k, l)*dU[l] + G(k, 3 + l)*dOmega[l];
@@ -263,7 +268,7 @@ TEST_CASE("A neutrally buoyant body feels no weight", "[immersedBody]")
     body.beginStep();
     body.correctVelocity(load, ddtCoefficients("Euler", 0.1, 0.1), {0, -10, 0});
 
-    const vector dU(-load.force/(6 + 0.5*10*body.volume()));
+    const vector dU(-load.force/6);
     CHECK(difference(body.state().U, dU) < 1e-12);
     CHECK(difference(body.state().omega, vector(0, 0, -2)) < 1e-12);
 }
@@ -311,8 +316,8 @@ TEST_CASE("Locked components keep their velocity", "[immersedBody]")
         CHECK(body.state().U.y() == 2);
         CHECK(body.state().omega.z() == 3);
 
-        // One equation: (A + (r - w + 0.5) V c) dU = -F
-        const scalar dU = -2/(4 + 2*body.volume()*ddt.c);
+        // One equation: (A + (r - 1) V c) dU = -F
+        const scalar dU = -2/(4 + body.volume()*ddt.c);
         CHECK(body.state().U.x() == near(1 + dU));
     }
     SECTION("rotation only")
@@ -323,7 +328,7 @@ TEST_CASE("Locked components keep their velocity", "[immersedBody]")
 
         const scalar torque = 0.9 - 0.7, G = 2*(0.26 + 0.13);
         const scalar I = body.volume()*0.125;
-        CHECK(body.state().omega.z() == near(3 - torque/(G + 1.5*I*ddt.c)));
+        CHECK(body.state().omega.z() == near(3 - torque/(G + I*ddt.c)));
     }
     SECTION("moved as prescribed")
     {
