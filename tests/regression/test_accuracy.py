@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import roundTube
 from bodyCase import BodyCase
 from boxMesh import graded, uniform
 
@@ -143,7 +144,7 @@ def test_free_disc_in_a_tube(compare, tmp_path):
             constraints {{ translate (1 0 0); }}
         }}
     """, "rho 1;")
-    case.controls(endTime="1", deltaT="0.005")
+    case.controls(endTime="1", deltaT="0.0025")
     run = solve(case)
 
     motion = case.table("motion")
@@ -203,4 +204,47 @@ def test_drag_of_a_disc_between_plates(
     compare(
         f"disc between plates, {motion}, F/(mu U), D/h 8",
         steady(force, 2e-3), reference, 1e-2, run,
+    )
+
+
+@pytest.mark.parametrize("cells, tolerance", [(8, 3e-2), (12, 1e-2)])
+def test_drag_of_a_sphere_in_a_round_tube(cells, tolerance, compare, tmp_path):
+    """Held on the axis in Poiseuille flow, Stokes, radius 0.3 of the tube's:
+    6 pi mu a U_max K2 with K2 from the exact series of Haberman and Sayre
+    (1958), converged to 13 digits."""
+    radius, speed, nu, factor = 0.3, 1.5, 0.5, 2.2289766
+    h = 2*radius/cells
+    case = BodyCase("tube", tmp_path)
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear",
+        "div(phi,U)          none",
+    )
+    for file in ("0.orig/U", "0/U", "system/setExprFieldsDict"):
+        case.replace(
+            file, "1 - sqr(pos().y())", "1 - sqr(pos().y()) - sqr(pos().z())"
+        )
+
+    # Off the symmetry of the mesh
+    x = graded(-3, 3, around(0, 0.75, h, 0.2), h, growth=1.15)
+    roundTube.write(case, x, h)
+    case.run("blockMesh")
+    case.run("setExprFields")
+    case.bodies(f"""
+        sphere
+        {{
+            shape       {{ type sphere; radius {radius}; }}
+            position    (0 {0.1*h} {0.3*h});
+            {FIXED}
+        }}
+    """)
+    case.controls(endTime="1.2", deltaT="0.04")
+    run = solve(case)
+
+    force = case.table("forces")["fluidForce_x"]
+    compare(
+        f"sphere in a round tube, drag, D/h {cells}",
+        steady(force, 1e-3),
+        6*np.pi*nu*radius*speed*factor,
+        tolerance,
+        run,
     )

@@ -30,5 +30,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     // A body that hardly moves yet is compared with the fluid
     const scalar speed = max(bodies_->maxSpeed(), 0.01*fluidSpeed());
 
-    converged_ = !free || change <= bodies_->tolerance()*speed;
+    // The first iteration knows the pressure of the old pose only
+    converged_ = !bodies_->moving()
+     || (outer_ > 1 && change <= bodies_->tolerance()*speed);
 }

@@ -73,6 +73,12 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     mesh_.setFluxRequired(dp_->name());
     compat::setFinalIteration(mesh_, true);
 
+    if (bodies_->moving())
+    {
+        // Two previous levels, to extrapolate from
+        p_.oldTime().oldTime();
+    }
+
     if (!functionObject::postProcess)
     {
         initialise();
@@ -189,7 +195,12 @@ void Foam::flowSolvers::immersedFluid::postSolve()
 
     if (!good)
     {
-        stop("bodies overlap or have left the mesh, see above");
+        stop
+        (
+            bodies_->proximity().overlaps().empty()
+          ? string("a body has left the mesh, see above")
+          : "bodies overlap: " + bodies_->proximity().overlaps()
+        );
     }
 }
 

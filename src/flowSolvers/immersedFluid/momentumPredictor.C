@@ -40,6 +40,27 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
 }
 
 
+void Foam::flowSolvers::immersedFluid::extrapolatePressure()
+{
+    // The first step of a run has one previous level only
+    const scalar ratio =
+        runTime_.timeIndex() < 2
+      ? 0
+      : runTime_.deltaTValue()/runTime_.deltaT0Value();
+
+    if (bodies_->moving())
+    {
+        const volScalarField& p0 = p_.oldTime();
+
+        p_.primitiveFieldRef() +=
+            ratio*(p0.primitiveField() - p0.oldTime().primitiveField());
+    }
+
+    p_.correctBoundaryConditions();
+    gradP_ = fvc::grad(p_);
+}
+
+
 void Foam::flowSolvers::immersedFluid::momentumPredictor()
 {
     if (!immersed())
@@ -48,15 +69,14 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         return;
     }
 
+    if (outer_ == 1)
+    {
+        extrapolatePressure();
+    }
+
     tUEqn = assembleMomentum();
     A0_ = tUEqn().A();
     bodies_->updateResistance(A0_(), momentumTransport->nuEff()());
-
-    if (outer_ == 1)
-    {
-        p_.correctBoundaryConditions();
-        gradP_ = fvc::grad(p_);
-    }
 
     fvVectorMatrix UEqn(tUEqn());
 

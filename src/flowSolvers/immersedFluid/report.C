@@ -5,7 +5,11 @@
 void Foam::flowSolvers::immersedFluid::reportProgress() const
 {
     const scalar done = runTime_.value() - startTime_;
-    const scalar left = runTime_.endTime().value() - runTime_.value();
+    const scalar left = max(runTime_.endTime().value() - runTime_.value(), 0);
+
+    // The end time is infinite once the run has been told to stop
+    const scalar secondsLeft =
+        left < GREAT ? runTime_.elapsedCpuTime()*left/max(done, VSMALL) : 0;
 
     Info<< "Progress: step " << runTime_.timeIndex()
         << ", Courant number " << CoNum
@@ -14,7 +18,7 @@ void Foam::flowSolvers::immersedFluid::reportProgress() const
         << (converged_ ? "" : " (not converged)")
         << ", slip " << bodies_->slip() << " m/s"
         << ", time left "
-        << label(runTime_.elapsedCpuTime()*left/max(done, VSMALL)) << " s"
+        << round(secondsLeft) << " s"
         << endl;
 }
 

@@ -76,7 +76,13 @@ Foam::labelList Foam::cellSearch::cellsAround
 {
     const vector extent(vector::uniform(radius));
 
-    return tree().findBox(treeBoundBox(x - extent, x + extent));
+    labelList cells(tree().findBox(treeBoundBox(x - extent, x + extent)));
+
+    // The tree's order depends on its history; sums over the cells must not,
+    // or a restarted run would differ in the last bit
+    Foam::sort(cells);
+
+    return cells;
 }
 
 

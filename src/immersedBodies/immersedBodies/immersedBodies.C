@@ -35,7 +35,7 @@ Foam::PtrList<Foam::immersedBody> placeBodies
 
 
 //- Does any body move through the mesh?
-bool anyMoving(const Foam::PtrList<Foam::immersedBody>& bodies)
+bool movesThroughMesh(const Foam::PtrList<Foam::immersedBody>& bodies)
 {
     for (const Foam::immersedBody& body : bodies)
     {
@@ -70,19 +70,20 @@ Foam::immersedBodies::immersedBodies
         )
     ),
     mesh_(mesh),
-    dict_(dict),
+    dict_(checked(dict)),
     space_(mesh),
     rho_(readRho(dict, mesh)),
     g_(readGravity(mesh)),
     bodies_(placeBodies(dict, space_, mesh.time().globalPath(), rho_)),
     restarted_(readState()),
+    moving_(movesThroughMesh(bodies_)),
     region_
     (
         mesh,
         space_,
         dict.subOrEmptyDict("resistance"),
         bodies_.size(),
-        anyMoving(bodies_)
+        moving_
     ),
     proximity_(mesh),
     loads_(bodies_.size()),
@@ -90,8 +91,6 @@ Foam::immersedBodies::immersedBodies
     nOuterCorrectors_(10),
     tolerance_(1e-4)
 {
-    checkDict();
-
     const dictionary& coupling = dict.subOrEmptyDict("coupling");
 
     nOuterCorrectors_ = label
@@ -108,8 +107,8 @@ Foam::immersedBodies::immersedBodies
     if (proximity_.check(bodies_, region_, h_, mesh_))
     {
         FatalIOErrorInFunction(dict_.subDict("bodies"))
-            << "'bodies' overlap each other or a wall" << nl
-            << exit(FatalIOError);
+            << "'bodies' must not overlap each other or a wall: "
+            << proximity_.overlaps().c_str() << nl << exit(FatalIOError);
     }
 }
 

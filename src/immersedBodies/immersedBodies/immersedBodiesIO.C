@@ -81,11 +81,11 @@ Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
 }
 
 
-void Foam::immersedBodies::checkDict() const
+const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
 {
     keywords::check
     (
-        dict_,
+        dict,
         {
             "rho", "resistance", "coupling", "motion", "contact",
             "lubrication", "window", "bodies"
@@ -93,13 +93,13 @@ void Foam::immersedBodies::checkDict() const
     );
     keywords::check
     (
-        dict_.subOrEmptyDict("coupling"),
+        dict.subOrEmptyDict("coupling"),
         {"nOuterCorrectors", "tolerance"}
     );
 
     auto onlyChoice = [&](const word& key, const word& type)
     {
-        const dictionary& sub = dict_.subOrEmptyDict(key);
+        const dictionary& sub = dict.subOrEmptyDict(key);
 
         keywords::check(sub, {"type"});
         keywords::choice(sub, "type", {type}, type);
@@ -109,6 +109,8 @@ void Foam::immersedBodies::checkDict() const
     onlyChoice("contact", "none");
     onlyChoice("lubrication", "none");
     onlyChoice("window", "fixed");
+
+    return dict;
 }
 
 
@@ -130,7 +132,10 @@ bool Foam::immersedBodies::readState()
         return false;
     }
 
-    const IOdictionary states(io);
+    // Not as an IOdictionary: the class in its header is that of this object
+    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
+    io.readHeader(is());
+    const dictionary states(io.objectPath(), dictionary::null, is());
 
     for (immersedBody& body : bodies_)
     {

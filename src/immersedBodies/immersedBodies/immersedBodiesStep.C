@@ -130,6 +130,12 @@ void Foam::immersedBodies::shareState()
 
 bool Foam::immersedBodies::endStep()
 {
+    // The pose that goes with the last correction of the velocities
+    for (immersedBody& body : bodies_)
+    {
+        body.predictPose(mesh_.time().deltaTValue());
+    }
+
     shareState();
 
     bool good = true;

@@ -256,8 +256,7 @@ Foam::tmp<Foam::volScalarField> Foam::immersedRegion::bodyFraction() const
     {
         forAll(region.cells, i)
         {
-            fraction[region.cells[i]] +=
-                min(max(0.5 - region.distance[i]/region.h[i], 0), 1);
+            fraction[region.cells[i]] += fractionInside(region, i);
         }
     }
     tfraction.ref().correctBoundaryConditions();
@@ -278,15 +277,17 @@ void Foam::immersedRegion::setRigidMotion
 
         forAll(region.cells, i)
         {
-            if (region.distance[i] < 0)
-            {
-                const label celli = region.cells[i];
+            // Linear across the surface: which side a centre on it is taken
+            // to be must not matter
+            const label celli = region.cells[i];
+            const scalar inside = fractionInside(region, i);
 
-                U[celli] = bodies[bodyi].state().velocity
-                (
-                    mesh_.cellCentres()[celli]
+            U[celli] +=
+                inside
+               *(
+                    bodies[bodyi].state().velocity(mesh_.cellCentres()[celli])
+                  - U[celli]
                 );
-            }
         }
     }
 }

@@ -112,7 +112,7 @@ void Foam::immersedRegion::load
             }
             load.addForce(r, V[celli]*q);
 
-            const scalar inside = 0.5 - region.distance[i]/region.h[i];
+            const scalar inside = fractionInside(region, i);
 
             if (inside > 0)
             {
@@ -120,14 +120,14 @@ void Foam::immersedRegion::load
 
                 load.addFluid
                 (
-                    V[celli]*min(inside, 1),
+                    V[celli]*inside,
                     K[celli]/(A0[celli] + K[celli]),
                     r,
                     Unew
                 );
 
                 // Deeper than a cell, where the layer has come to an end
-                if (inside > 1.5)
+                if (region.distance[i] < -region.h[i])
                 {
                     load.slip += V[celli]*magSqr(Unew - Ub);
                 }

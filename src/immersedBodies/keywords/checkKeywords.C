@@ -34,13 +34,38 @@ Foam::label editDistance(const Foam::word& a, const Foam::word& b)
     return row.last();
 }
 
+
+//- The names, separated by blanks
+std::string listed(const Foam::wordList& names)
+{
+    std::string text;
+
+    for (const Foam::word& name : names)
+    {
+        text += std::string(text.empty() ? "" : " ") + name;
+    }
+
+    return text;
+}
+
+
+//- Part of a sentence that names the nearest valid word, if one is alike
+std::string suggestion(const Foam::word& name, const Foam::wordList& valid)
+{
+    const Foam::word nearest(Foam::keywords::nearest(name, valid));
+
+    return nearest.empty()
+      ? std::string()
+      : "; the nearest valid one is '" + nearest + "'";
+}
+
 } // End anonymous namespace
 
 
 Foam::word Foam::keywords::nearest(const word& name, const wordList& valid)
 {
     word best;
-    label fewest = labelMax;
+    label fewest = 3 + label(name.size())/3;
 
     for (const word& candidate : valid)
     {
@@ -65,9 +90,8 @@ void Foam::keywords::check(const dictionary& dict, const wordList& valid)
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown keyword '" << key << "' in '"
-                << dict.dictName() << "'; the nearest valid one is '"
-                << nearest(key, valid) << "'" << nl
-                << "Valid keywords: " << flatOutput(valid) << nl
+                << dict.dictName() << "'" << suggestion(key, valid).c_str()
+                << nl << "Valid keywords: " << listed(valid).c_str() << nl
                 << exit(FatalIOError);
         }
     }
@@ -83,17 +107,10 @@ void Foam::keywords::refuse
 )
 {
     FatalIOErrorInFunction(dict)
-        << "'" << key << " " << name << "' is not available";
-
-    if (valid.size())
-    {
-        FatalIOError
-            << "; the nearest valid one is '" << nearest(name, valid) << "'";
-    }
-
-    FatalIOError
-        << nl << "Valid values of '" << key << "': " << flatOutput(valid)
-        << nl << exit(FatalIOError);
+        << "'" << key << ' ' << name << "' in '" << dict.dictName()
+        << "' is not available" << suggestion(name, valid).c_str() << nl
+        << "Valid values of '" << key << "': " << listed(valid).c_str() << nl
+        << exit(FatalIOError);
 }
 
 

@@ -3,6 +3,7 @@
 #include "proximityMonitor.H"
 #include "compat.H"
 #include "SortableList.H"
+#include "StringStream.H"
 #include "wallPolyPatch.H"
 
 Foam::proximityMonitor::proximityMonitor(const fvMesh& mesh)
@@ -37,7 +38,10 @@ bool Foam::proximityMonitor::note
 
     if (gap < 0)
     {
-        Info<< "Overlap of " << -gap << " m between " << pair.c_str() << endl;
+        OStringStream os;
+        os  << (overlaps_.empty() ? "" : ", ") << pair.c_str() << " by "
+            << -gap << " m";
+        overlaps_ += os.str();
     }
 
     return gap < 0;
@@ -106,6 +110,7 @@ bool Foam::proximityMonitor::check
     compat::allReduce(wallGaps, minEqOp<scalar>());
 
     bool overlap = false;
+    overlaps_.clear();
 
     // Sweep along the longest side, by the lower ends of the bounding spheres
     const vector span(box.span());
