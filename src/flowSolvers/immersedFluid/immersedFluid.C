@@ -116,6 +116,23 @@ void Foam::flowSolvers::immersedFluid::initialise()
         bodies_->setAmbient(U_);
         bodies_->setRigidMotion(U_);
         phi_ = fvc::flux(U_);
+        makeRelative();
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::makeRelative()
+{
+    if (bodies_->window().comoving())
+    {
+        const dimensionedVector V
+        (
+            "V",
+            dimVelocity,
+            bodies_->window().velocity()
+        );
+
+        phi_ -= V & mesh_.Sf();
     }
 }
 

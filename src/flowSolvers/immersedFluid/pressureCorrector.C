@@ -97,6 +97,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     );
 
     bodyCorrector(ddt, dU);
+    makeRelative();
 
     U_.primitiveFieldRef() -= dU;
     U_.correctBoundaryConditions();

@@ -38,6 +38,12 @@ Foam::wordList Foam::functionObjects::immersedBodyMotion::columns() const
     appendVector(names, "velocity", "m/s");
     appendVector(names, "angularVelocity", "rad/s");
 
+    if (bodies().window().comoving())
+    {
+        appendVector(names, "windowPosition", "m");
+        appendVector(names, "windowVelocity", "m/s");
+    }
+
     return names;
 }
 
@@ -50,9 +56,17 @@ void Foam::functionObjects::immersedBodyMotion::writeRow
 {
     const bodyState& state = body.state();
 
-    writeVector(os, state.position);
+    const meshWindow& window = bodies().window();
+
+    writeVector(os, state.position + window.displacement());
     os  << tab << state.orientation.w();
     writeVector(os, state.orientation.v());
     writeVector(os, state.U);
     writeVector(os, state.omega);
+
+    if (window.comoving())
+    {
+        writeVector(os, state.position);
+        writeVector(os, state.U - window.velocity());
+    }
 }

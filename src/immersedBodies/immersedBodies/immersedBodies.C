@@ -75,6 +75,7 @@ Foam::immersedBodies::immersedBodies
     rho_(readRho(dict, mesh)),
     g_(readGravity(mesh)),
     bodies_(placeBodies(dict, space_, mesh.time().globalPath(), rho_)),
+    window_(dict.subOrEmptyDict("window"), mesh, bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_)),
     region_
@@ -83,7 +84,7 @@ Foam::immersedBodies::immersedBodies
         space_,
         dict.subOrEmptyDict("resistance"),
         bodies_.size(),
-        moving_
+        moving_ && !window_.comoving()
     ),
     proximity_(mesh),
     loads_(bodies_.size()),
@@ -160,7 +161,9 @@ Foam::scalar Foam::immersedBodies::courantNo() const
 
     forAll(bodies_, bodyi)
     {
-        Co = max(Co, bodies_[bodyi].maxSpeed()/h_[bodyi]);
+        const scalar speed = bodies_[bodyi].maxSpeed(window_.velocity());
+
+        Co = max(Co, speed/h_[bodyi]);
     }
 
     return Co*mesh_.time().deltaTValue();
@@ -250,6 +253,7 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
     if (!needed)
     {
+        window_.follow(bodies_);
         return;
     }
 
@@ -288,6 +292,7 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
         bodies_[bodyi].setAmbient(centreU[bodyi]/n, spin[bodyi]/n);
     }
+    window_.follow(bodies_);
 }
 
 

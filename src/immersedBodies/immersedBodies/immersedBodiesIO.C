@@ -108,7 +108,6 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     onlyChoice("motion", "matching");
     onlyChoice("contact", "none");
     onlyChoice("lubrication", "none");
-    onlyChoice("window", "fixed");
 
     return dict;
 }
@@ -137,17 +136,21 @@ bool Foam::immersedBodies::readState()
     io.readHeader(is());
     const dictionary states(io.objectPath(), dictionary::null, is());
 
+    const dictionary& bodyStates = states.subDict("bodies");
+
+    window_.readState(states.subDict("window"));
+
     for (immersedBody& body : bodies_)
     {
-        if (!states.found(body.name()))
+        if (!bodyStates.found(body.name()))
         {
             FatalIOErrorInFunction(states)
                 << "No state of body '" << body.name() << "', which"
                 << " constant/immersedBodyProperties has; the bodies here are "
-                << flatOutput(states.toc()) << nl << exit(FatalIOError);
+                << flatOutput(bodyStates.toc()) << nl << exit(FatalIOError);
         }
 
-        body.readState(states.subDict(body.name()));
+        body.readState(bodyStates.subDict(body.name()));
     }
 
     return true;
@@ -174,6 +177,13 @@ void Foam::immersedBodies::report(Ostream& os) const
         most = max(most, cellsPerWidth(bodyi));
     }
 
+    if (window_.comoving())
+    {
+        os  << nl << "    window: comoving, at "
+            << window_.displacement() << " m with " << window_.velocity()
+            << " m/s";
+    }
+
     os  << nl << "    cells per width: " << fewest << " to " << most << nl
         << "    coupling: at most " << nOuterCorrectors_
         << " iterations, tolerance " << tolerance_ << nl;
@@ -185,11 +195,16 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     // As many digits as it takes to go on exactly
     const auto precision = os.precision(17);
 
+    window_.writeState(os);
+
+    os.beginBlock("bodies");
+
     for (const immersedBody& body : bodies_)
     {
         body.writeState(os);
     }
 
+    os.endBlock();
     os.precision(precision);
 
     return os.good();

@@ -9,16 +9,26 @@ void Foam::immersedBodies::beginStep()
     {
         body.beginStep();
     }
+    window_.beginStep();
+}
+
+
+void Foam::immersedBodies::predictPoses()
+{
+    const scalar dt = mesh_.time().deltaTValue();
+
+    window_.move(dt);
+
+    for (immersedBody& body : bodies_)
+    {
+        body.predictPose(dt, window_.meanVelocity());
+    }
 }
 
 
 void Foam::immersedBodies::predict()
 {
-    for (immersedBody& body : bodies_)
-    {
-        body.predictPose(mesh_.time().deltaTValue());
-    }
-
+    predictPoses();
     region_.updateGeometry(bodies_);
 }
 
@@ -83,6 +93,7 @@ Foam::scalar Foam::immersedBodies::correct
         );
     }
 
+    window_.follow(bodies_);
     region_.updateVelocity(bodies_);
 
     return change;
@@ -130,12 +141,8 @@ void Foam::immersedBodies::shareState()
 
 bool Foam::immersedBodies::endStep()
 {
-    // The pose that goes with the last correction of the velocities
-    for (immersedBody& body : bodies_)
-    {
-        body.predictPose(mesh_.time().deltaTValue());
-    }
-
+    // The poses that go with the last correction of the velocities
+    predictPoses();
     shareState();
 
     bool good = true;
@@ -147,7 +154,8 @@ bool Foam::immersedBodies::endStep()
         if (!(part > 0.02))
         {
             Info<< "Body " << bodies_[bodyi].name() << " has left the mesh at "
-                << bodies_[bodyi].state().position << ", moving with "
+                << bodies_[bodyi].state().position + window_.displacement()
+                << ", moving with "
                 << bodies_[bodyi].state().U << endl;
             good = false;
         }

@@ -249,9 +249,9 @@ Foam::scalar Foam::immersedBody::distance(const point& x) const
 }
 
 
-Foam::scalar Foam::immersedBody::maxSpeed() const
+Foam::scalar Foam::immersedBody::maxSpeed(const vector& meshU) const
 {
-    return mag(state_.U) + shape_->boundingRadius()*mag(state_.omega);
+    return mag(state_.U - meshU) + shape_->boundingRadius()*mag(state_.omega);
 }
 
 

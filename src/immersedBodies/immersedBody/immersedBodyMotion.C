@@ -46,14 +46,18 @@ void Foam::immersedBody::beginStep()
 }
 
 
-void Foam::immersedBody::predictPose(const scalar dt)
+void Foam::immersedBody::predictPose
+(
+    const scalar dt,
+    const vector& meshU
+)
 {
     state_.position = old_.position;
     state_.orientation = old_.orientation;
     state_.move
     (
         dt,
-        0.5*(state_.U + old_.U),
+        0.5*(state_.U + old_.U) - meshU,
         0.5*(state_.omega + old_.omega)
     );
 }

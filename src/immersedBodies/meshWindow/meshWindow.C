@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "meshWindow.H"
+#include "checkKeywords.H"
+#include "wallPolyPatch.H"
+
+Foam::meshWindow::meshWindow
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const PtrList<immersedBody>& bodies
+)
+:
+    comoving_
+    (
+        keywords::choice(dict, "type", {"fixed", "comoving"}, "fixed")
+     == "comoving"
+    ),
+    direction_(Zero),
+    follow_(-1),
+    prescribed_(dict.found("velocity")),
+    velocity_(Zero),
+    oldVelocity_(Zero),
+    displacement_(Zero),
+    oldDisplacement_(Zero)
+{
+    if (!comoving_)
+    {
+        keywords::check(dict, {"type"});
+        return;
+    }
+
+    keywords::check(dict, {"type", "direction", "follow", "velocity"});
+    direction_ = normalised(dict.get<vector>("direction"));
+    checkWalls(dict, mesh);
+
+    wordList names({"centroid"});
+
+    for (const immersedBody& body : bodies)
+    {
+        names.append(body.name());
+    }
+
+    follow_ = names.find
+    (
+        keywords::choice(dict, "follow", names, "centroid")
+    ) - 1;
+
+    if (prescribed_)
+    {
+        velocity_ = dict.get<scalar>("velocity")*direction_;
+    }
+}
+
+
+void Foam::meshWindow::checkWalls
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+) const
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        scalar across = 0;
+
+        if (isA<wallPolyPatch>(patch))
+        {
+            for (const vector& Sf : patch.faceAreas())
+            {
+                across = max(across, mag(Sf & direction_)/mag(Sf));
+            }
+        }
+
+        if (returnReduce(across, maxOp<scalar>()) > 1e-6)
+        {
+            FatalIOErrorInFunction(dict)
+                << "'direction " << direction_ << "' is not parallel to the"
+                << " wall '" << patch.name() << "': a comoving window needs a"
+                << " straight tube" << nl << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::meshWindow::beginStep()
+{
+    oldVelocity_ = velocity_;
+    oldDisplacement_ = displacement_;
+}
+
+
+void Foam::meshWindow::follow(const PtrList<immersedBody>& bodies)
+{
+    if (!comoving_ || prescribed_)
+    {
+        return;
+    }
+
+    vector sum(Zero);
+
+    for (const immersedBody& body : bodies)
+    {
+        sum += body.state().U;
+    }
+
+    const vector U
+    (
+        follow_ < 0 ? sum/bodies.size() : bodies[follow_].state().U
+    );
+
+    velocity_ = (U & direction_)*direction_;
+}
+
+
+void Foam::meshWindow::move(const scalar dt)
+{
+    displacement_ = oldDisplacement_ + dt*meanVelocity();
+}
+
+
+void Foam::meshWindow::readState(const dictionary& dict)
+{
+    velocity_ = dict.get<vector>("velocity");
+    displacement_ = dict.get<vector>("displacement");
+}
+
+
+void Foam::meshWindow::writeState(Ostream& os) const
+{
+    os.beginBlock("window");
+    os.writeEntry("velocity", velocity_);
+    os.writeEntry("displacement", displacement_);
+    os.endBlock();
+}
