@@ -13,7 +13,9 @@ VARIANTS = {
         "adjustTimeStep": "yes",
         "maxCo": "0.2",
     },
+    "backward, comoving window": {},
 }
+WINDOW = "window { type comoving; direction (1 0 0); }"
 
 
 @pytest.fixture(scope="module")
@@ -49,6 +51,11 @@ def test_restart_is_exact(variant, ranks, tube, tmp_path):
     at_once = BodyCase(tube, tmp_path, "atOnce")
     at_once.controls(**VARIANTS[variant])
     at_once.replace("system/fvSchemes", "backward", variant.split(",")[0])
+    if "window" in variant:
+        at_once.replace(
+            "constant/immersedBodyProperties", "bodies\n{",
+            f"{WINDOW}\n\nbodies\n{{",
+        )
     if ranks > 1:
         at_once.decompose(ranks)
     in_parts = BodyCase(at_once, tmp_path, "inParts")
