@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Velocity, spin and lift of a free disc in a tube, in a comoving window."""
+
+from bodyCase import BodyCase
+from boxMesh import graded
+from measure import DEPTH, Run, around, set_viscosity
+
+RADIUS = 0.065
+
+# Re: height, V_x, spin, lift over density, end time
+REFERENCES = {
+    2: (-0.3, 1.36128741, -0.44864746, -1.019145e-3, 4),
+    10: (-0.3, 1.36093794, -0.44782215, -9.298236e-4, 8),
+    40: (-0.43042, 1.215293, -0.628914, 0, 12),
+}
+OFFSETS = ((0, 0), (0.3, 0.4))
+RATIOS = (0.5, 2, 1000)
+
+
+def solve(folder, Re, cells, offset, ratio, settings):
+    """The case after its run, and the run."""
+    y, *_, end = REFERENCES[Re]
+    if ratio > 100:
+        end = 30    # its velocity relaxes in 4 s
+    h = 2*RADIUS/cells
+    core, growth = (4*RADIUS, 1.08) if cells < 16 else (5*RADIUS, 1.05)
+    name = settings.replace(" ", "_").replace("(", "").replace(")", "")
+    case = BodyCase("tube", folder, f"{name}_D{cells}")
+    n = case.mesh(
+        graded(-3, 3, around(0, core, h, offset[0]), h, growth),
+        graded(-1, 1, around(y, core, h, offset[1]), h, growth),
+    )
+    set_viscosity(case, 1/Re)
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius {RADIUS}; }}
+            densityRatio {ratio};
+            position    (0 {y} 0);
+            velocity    ambient;
+            constraints {{ translate (1 0 0); }}
+        }}
+    """, "window { type comoving; direction (1 0 0); }")
+    case.controls(endTime=f"{end}", deltaT=f"{0.16/cells}")
+    return case, Run(case, settings, cells, n)
+
+
+def rows(folder, quick):
+    for Re, (_, speed, spin, lift, _) in REFERENCES.items():
+        for cells in (8, 16) if quick else (8, 16, 32):
+            for offset in OFFSETS:
+                settings = f"Re {Re} offset {offset[0]} {offset[1]}"
+                case, run = solve(folder, Re, cells, offset, 2, settings)
+                motion = case.table("motion")
+                yield run.row("V_x", motion["velocity_x"][-1], speed)
+                yield run.row("spin", motion["angularVelocity_z"][-1], spin)
+                force = case.table("forces")["fluidForce_y"][-1]/DEPTH
+                yield run.row("lift", force, lift)
+
+    for ratio in RATIOS:
+        case, run = solve(
+            folder, 2, 8, OFFSETS[0], ratio, f"Re 2 density ratio {ratio}"
+        )
+        speed = case.table("motion")["velocity_x"][-1]
+        yield run.row("V_x", speed, REFERENCES[2][1])

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the benchmarks share: runs of the solver and rows of results."""
+
+import re
+
+from foamCase import FoamError
+
+LOCKED = "constraints { translate (0 0 0); rotate (0 0 0); }"
+DEPTH = 0.1
+
+
+def around(centre, half_width, h, offset=0.0):
+    """Core of cells of size h about the centre, shifted by offset cells."""
+    n = round(half_width/h)
+    return centre - (n + offset)*h, centre + (n - offset)*h
+
+
+def set_profile(case, old, new):
+    """Change the profile of the undisturbed flow of a case of kind tube."""
+    for file in ("0.orig/U", "0/U", "system/setExprFieldsDict"):
+        case.replace(file, old, new)
+
+
+def set_stokes(case):
+    """Leave convection out."""
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear",
+        "div(phi,U)          none",
+    )
+
+
+def set_viscosity(case, nu):
+    """nu of a case whose file says 0.5."""
+    case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
+
+
+class Run:
+    """A run of the solver: its log in numbers."""
+
+    def __init__(self, case, settings, D_over_h, cells, may_fail=False):
+        self.settings = settings
+        self.D_over_h = D_over_h
+        self.cells = cells
+        self.failed = False
+        try:
+            case.solve()
+        except FoamError:
+            if not may_fail:
+                raise
+            self.failed = True
+        log = (case.path / "log.foamRun").read_text()
+        times = re.findall(r"ExecutionTime = (\S+) s", log)
+        progress = re.findall(r"outer iterations (\d+)( \(not conv)?", log)
+        self.cpu = float(times[-1]) if times else 0.0
+        self.outers = [int(number) for number, _ in progress]
+        self.converged = sum(not failed for _, failed in progress)
+
+    def row(self, quantity, value, reference=None, error=None):
+        """A row; error [%] where it is not that relative to reference."""
+        if error is None and reference:
+            error = 100*(value/reference - 1)
+        return {
+            "settings": self.settings,
+            "D_over_h": self.D_over_h,
+            "cells": self.cells,
+            "steps": len(self.outers),
+            "cpu_s": self.cpu,
+            "quantity": quantity,
+            "value": value if value is None else float(value),
+            "reference": reference,
+            "error_percent": error if error is None else float(error),
+        }

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rows of a benchmark as a table on screen, a .csv and a plot."""
+
+import csv
+import importlib.util
+
+COLUMNS = (
+    "case", "solver", "settings", "D_over_h", "cells", "steps", "cpu_s",
+    "quantity", "value", "reference", "error_percent",
+)
+WIDTHS = {
+    "settings": 34, "D_over_h": 8, "cells": 8, "steps": 6, "cpu_s": 8,
+    "quantity": 18, "value": 14, "reference": 14, "error_percent": 14,
+}
+
+
+def text(value):
+    """A number in short, nothing for None."""
+    if value is None:
+        return ""
+    return f"{value:.8g}" if isinstance(value, float) else str(value)
+
+
+class Report:
+    """Collects the rows of one benchmark."""
+
+    def __init__(self, name, folder):
+        self.name = name
+        self.folder = folder
+        self.rows = []
+
+    @staticmethod
+    def load(folder):
+        """The module benchmark.py of a folder."""
+        spec = importlib.util.spec_from_file_location(
+            folder.name, folder / "benchmark.py"
+        )
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    def add(self, row):
+        """Take a row, a dictionary, and print it."""
+        if not self.rows:
+            print("  ".join(f"{n:>{w}}" for n, w in WIDTHS.items()))
+        row = {"case": self.name, "solver": "immersedFluid", **row}
+        self.rows.append(row)
+        shown = dict(row)
+        if row["error_percent"] is not None:
+            shown["error_percent"] = f"{row['error_percent']:.4f}"
+        print("  ".join(
+            f"{text(shown[n]):>{w}}" for n, w in WIDTHS.items()
+        ), flush=True)
+
+    def write(self):
+        """Write results/NAME.csv and .png."""
+        self.folder.mkdir(exist_ok=True)
+        with open(self.folder / f"{self.name}.csv", "w", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(COLUMNS)
+            for row in self.rows:
+                writer.writerow([text(row[name]) for name in COLUMNS])
+        self.plot()
+
+    def plot(self):
+        """Error against run time, a line for each quantity and setting."""
+        lines = {}
+        for row in self.rows:
+            if row["error_percent"]:
+                key = f"{row['quantity']}, {row['settings']}"
+                point = row["cpu_s"], abs(row["error_percent"])
+                lines.setdefault(key, []).append(point)
+        if not lines:
+            return
+
+        import matplotlib
+        matplotlib.use("Agg")
+        from matplotlib import pyplot
+
+        figure, axes = pyplot.subplots(figsize=(8, 5), layout="constrained")
+        for key, points in lines.items():
+            axes.loglog(*zip(*sorted(points)), "o-", label=key)
+        axes.set_xlabel("run time [s]")
+        axes.set_ylabel("|error| [%]")
+        axes.set_title(self.name)
+        axes.grid(True, which="both", alpha=0.3)
+        axes.legend(fontsize=6, loc="center left", bbox_to_anchor=(1, 0.5))
+        figure.savefig(self.folder / f"{self.name}.png", dpi=150)
+        pyplot.close(figure)
