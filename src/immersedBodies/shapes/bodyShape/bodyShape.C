@@ -34,6 +34,63 @@ Foam::autoPtr<Foam::bodyShape> Foam::bodyShape::New
 }
 
 
+void Foam::bodyShape::checkSpace
+(
+    const dictionary& dict,
+    const geometricSpace& space,
+    const label nDims,
+    const word& instead
+)
+{
+    if (space.nDims() != nDims)
+    {
+        const std::string advice
+        (
+            instead.empty() ? "" : "; use '" + instead + "'"
+        );
+
+        FatalIOErrorInFunction(dict)
+            << "'type " << dict.get<word>("type") << "' is a shape for "
+            << nDims << "D and this mesh has " << space.nDims()
+            << " dimensions" << advice.c_str() << nl << exit(FatalIOError);
+    }
+}
+
+
+void Foam::bodyShape::checkPositive
+(
+    const dictionary& dict,
+    const word& key,
+    const vector& sizes
+)
+{
+    if (!(cmptMin(sizes) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "All components of '" << key << "' in '" << dict.dictName()
+            << "' must be greater than 0" << nl << exit(FatalIOError);
+    }
+}
+
+
+Foam::symmTensor Foam::bodyShape::inertiaOf
+(
+    const vector& secondMoments,
+    const vector& emptyDir
+)
+{
+    const vector& m = secondMoments;
+    const scalar sum = m.x() + m.y() + m.z();
+
+    if (emptyDir != vector::zero)
+    {
+        return (sum - (m & emptyDir))*sqr(emptyDir);
+    }
+
+    return symmTensor(sum - m.x(), 0, 0, sum - m.y(), 0, sum - m.z());
+}
+
+
 Foam::scalar Foam::bodyShape::distance(const point& X) const
 {
     scalar d = 0;

@@ -3,9 +3,9 @@
 #include "disc.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
+#include "unitSurfaces.H"
 
 using Foam::constant::mathematical::pi;
-using Foam::constant::mathematical::twoPi;
 
 namespace Foam
 {
@@ -45,21 +45,6 @@ void Foam::bodyShapes::disc::surface
     faceList& faces
 ) const
 {
-    // Sectors around the centre, so that the turning can be seen
-    const label nSectors = 48;
-
-    // Two unit vectors in the plane, right-handed with its normal
-    const vector e1(emptyDir_.y(), emptyDir_.z(), emptyDir_.x());
-    const vector e2(emptyDir_^e1);
-
-    points.setSize(nSectors + 1);
-    faces.setSize(nSectors);
-    points[nSectors] = Zero;
-
-    for (label i = 0; i < nSectors; ++i)
-    {
-        const scalar angle = twoPi*i/nSectors;
-        points[i] = radius_*(Foam::cos(angle)*e1 + Foam::sin(angle)*e2);
-        faces[i] = face(labelList({nSectors, i, (i + 1) % nSectors}));
-    }
+    unitSurfaces::disc(emptyDir_, points, faces);
+    points *= radius_;
 }

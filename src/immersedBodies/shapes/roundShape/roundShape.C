@@ -16,14 +16,7 @@ Foam::bodyShapes::roundShape::roundShape
 {
     keywords::check(dict, {"type", "radius"});
 
-    if (space.nDims() != nDims)
-    {
-        FatalIOErrorInFunction(dict)
-            << "'type " << dict.get<word>("type") << "' is a shape for "
-            << nDims << "D and this mesh has " << space.nDims()
-            << " dimensions; use '" << (space.twoD() ? "disc" : "sphere")
-            << "'" << nl << exit(FatalIOError);
-    }
+    checkSpace(dict, space, nDims, space.twoD() ? "disc" : "sphere");
 }
 
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ellipticShape.H"
+#include "checkKeywords.H"
+
+Foam::bodyShapes::ellipticShape::ellipticShape
+(
+    const dictionary& dict,
+    const geometricSpace& space,
+    const label nDims,
+    const vector& semiAxes
+)
+:
+    bodyShape(),
+    counts_(space.translation()),
+    smallest_(cmptMin(semiAxes)),
+    excess_(Zero),
+    semiAxes_(semiAxes),
+    emptyDir_(space.emptyDir())
+{
+    keywords::check(dict, {"type", "semiAxes"});
+    checkSpace(dict, space, nDims, space.twoD() ? "ellipse" : "ellipsoid");
+    checkPositive(dict, "semiAxes", semiAxes);
+
+    excess_ = cmptMultiply(semiAxes, semiAxes)/sqr(smallest_) - vector::one;
+}
+
+
+Foam::scalar Foam::bodyShapes::ellipticShape::nearest
+(
+    const point& X,
+    vector& v
+) const
+{
+    // The components are kept off zero, where the pole at w = 0 would vanish
+    // together with the root beside it
+    const scalar tiny = 1e-20;
+
+    vector y, a;
+    scalar w = 0;
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        y[i] = counts_[i]*max(mag(X[i]), tiny*semiAxes_[i]);
+        a[i] = (excess_[i] + 1)*y[i]/semiAxes_[i];
+
+        // Where one term of the sum is one, the sum is at least that
+        w = max(w, a[i] - excess_[i]);
+    }
+
+    for (label iter = 0; iter < 200; ++iter)
+    {
+        scalar sum = 0, slope = 0;
+
+        for (direction i = 0; i < 3; ++i)
+        {
+            const scalar term = sqr(a[i]/(w + excess_[i]));
+            sum += term;
+            slope += 2*term/(w + excess_[i]);
+        }
+
+        const scalar dw = (sum - 1)/slope;
+        w += dw;
+
+        if (dw < 1e-15*w)
+        {
+            break;
+        }
+    }
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        v[i] = y[i]/(w + excess_[i]);
+    }
+
+    return w;
+}
+
+
+void Foam::bodyShapes::ellipticShape::distance
+(
+    const UList<point>& X,
+    UList<scalar>& d
+) const
+{
+    vector v;
+
+    forAll(X, i)
+    {
+        const scalar w = nearest(X[i], v);
+        d[i] = (w - 1)*mag(v);
+    }
+}
+
+
+void Foam::bodyShapes::ellipticShape::normal
+(
+    const UList<point>& X,
+    UList<vector>& n
+) const
+{
+    vector v;
+
+    forAll(X, i)
+    {
+        nearest(X[i], v);
+        const scalar magV = mag(v);
+
+        for (direction j = 0; j < 3; ++j)
+        {
+            n[i][j] = X[i][j] == 0 ? 0 : sign(X[i][j])*v[j]/magV;
+        }
+
+        // Two nearest points, which differ by the sign of what has been zero
+        if (magSqr(n[i]) < 0.999)
+        {
+            n[i] = Zero;
+        }
+    }
+}
+
+
+Foam::scalar Foam::bodyShapes::ellipticShape::boundingRadius() const
+{
+    return cmptMax(inPlane(semiAxes_));
+}
