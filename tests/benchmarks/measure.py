@@ -35,7 +35,8 @@ def set_viscosity(case, nu):
 
 
 class Run:
-    """A run of the solver: its log in numbers."""
+    """A run of the solver: its log in numbers. A run that may fail is asked
+    for `failed` afterwards."""
 
     def __init__(self, case, settings, D_over_h, cells, may_fail=False):
         self.settings = settings
@@ -70,3 +71,7 @@ class Run:
             "reference": reference,
             "error_percent": error if error is None else float(error),
         }
+
+    def diverged(self):
+        """A row instead of figures: the step at which the run failed."""
+        return self.row("diverged at step", len(self.outers) + 1)

@@ -29,6 +29,10 @@ class Report:
         self.folder = folder
         self.rows = []
 
+    def diverged(self):
+        """Has any run diverged?"""
+        return any(row["quantity"] == "diverged at step" for row in self.rows)
+
     @staticmethod
     def load(folder):
         """The module benchmark.py of a folder."""

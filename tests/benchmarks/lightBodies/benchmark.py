@@ -52,4 +52,4 @@ def rows(folder, quick):
             iterations = sum(run.outers)/max(len(run.outers), 1)
             yield run.row("outer iterations", iterations)
             if run.failed:
-                yield run.row("diverged at step", len(run.outers) + 1)
+                yield run.diverged()
