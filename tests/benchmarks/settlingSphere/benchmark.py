@@ -68,7 +68,7 @@ def rows(folder, quick):
                 velocity    ({COMPUTED*SCALE:.6g} 0 0);
             }}
         """, "window { type comoving; direction (1 0 0); }")
-        case.controls(endTime="15", deltaT=f"{0.6*h/SCALE:.6g}")
+        case.controls(endTime="25", deltaT=f"{0.6*h/SCALE:.6g}")
         run = Run(case, "terminal velocity", cells, n)
 
         motion = case.table("motion")
