@@ -6,6 +6,35 @@
 #include "StringStream.H"
 #include "wallPolyPatch.H"
 
+namespace
+{
+
+//- Smallest signed distance from the surface of a to points on that of b
+Foam::scalar sampledGap
+(
+    const Foam::immersedBody& a,
+    const Foam::immersedBody& b
+)
+{
+    Foam::pointField x;
+    Foam::faceList faces;
+    b.shape().surface(x, faces);
+
+    const Foam::tensor R(b.state().orientation.R());
+    for (Foam::point& xi : x)
+    {
+        xi = b.state().position + (R & xi);
+    }
+
+    Foam::scalarField d(x.size());
+    a.distance(x, d);
+
+    return Foam::min(d);
+}
+
+} // End anonymous namespace
+
+
 Foam::proximityMonitor::proximityMonitor(const fvMesh& mesh)
 :
     wallCells_(mesh.nCells())
@@ -17,6 +46,26 @@ Foam::proximityMonitor::proximityMonitor(const fvMesh& mesh)
             wallCells_.set(patch.faceCells());
         }
     }
+}
+
+
+Foam::scalar Foam::proximityMonitor::gap
+(
+    const immersedBody& a,
+    const immersedBody& b
+)
+{
+    if (b.shape().round())
+    {
+        return a.distance(b.state().position) - b.shape().boundingRadius();
+    }
+
+    if (a.shape().round())
+    {
+        return gap(b, a);
+    }
+
+    return min(sampledGap(a, b), sampledGap(b, a));
 }
 
 
@@ -56,6 +105,7 @@ Foam::scalar Foam::proximityMonitor::wallGap
 ) const
 {
     const point& centre = body.state().position;
+    const bool round = body.shape().round();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     scalar gap = GREAT;
 
@@ -76,11 +126,19 @@ Foam::scalar Foam::proximityMonitor::wallGap
              && isA<wallPolyPatch>(patches[patches.whichPatch(facei)])
             )
             {
-                const pointHit nearest
-                (
-                    mesh.faces()[facei].nearestPoint(centre, mesh.points())
-                );
+                const face& f = mesh.faces()[facei];
+                const pointHit nearest(f.nearestPoint(centre, mesh.points()));
                 gap = min(gap, body.distance(nearest.rawPoint()));
+
+                if (!round)
+                {
+                    pointField x(f.points(mesh.points()));
+                    x.append(mesh.faceCentres()[facei]);
+
+                    scalarField d(x.size());
+                    body.distance(x, d);
+                    gap = min(gap, min(d));
+                }
             }
         }
     }
@@ -146,10 +204,8 @@ bool Foam::proximityMonitor::check
 
             if (mag(a.state().position - b.state().position) < Ra + Rb + hPair)
             {
-                const scalar gap = a.distance(b.state().position) - Rb;
-
                 overlap =
-                    note(a.name() + " and " + b.name(), gap, hPair)
+                    note(a.name() + " and " + b.name(), gap(a, b), hPair)
                  || overlap;
             }
         }
