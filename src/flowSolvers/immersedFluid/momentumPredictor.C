@@ -43,17 +43,28 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
 void Foam::flowSolvers::immersedFluid::extrapolatePressure()
 {
     // The first step of a run has one previous level only
-    const scalar ratio =
-        runTime_.timeIndex() < 2
-      ? 0
-      : runTime_.deltaTValue()/runTime_.deltaT0Value();
-
-    if (bodies_->moving())
+    if
+    (
+        bodies_->moving()
+     && !bodies_->window().comoving()
+     && uniformViscosity_
+     && runTime_.timeIndex() > 1
+    )
     {
+        // How far viscosity reaches within the step, in cells, squared: the
+        // extrapolation is stable where that is not little
+        const scalar nu = gMax(momentumTransport->nu()().primitiveField());
+        const scalar reach =
+            nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
+        const scalar part = max(1 - 1/max(reach, SMALL), 0)
+           *runTime_.deltaTValue()/runTime_.deltaT0Value();
         const volScalarField& p0 = p_.oldTime();
 
-        p_.primitiveFieldRef() +=
-            ratio*(p0.primitiveField() - p0.oldTime().primitiveField());
+        if (part > 0)
+        {
+            p_.primitiveFieldRef() +=
+                part*(p0.primitiveField() - p0.oldTime().primitiveField());
+        }
     }
 
     p_.correctBoundaryConditions();
