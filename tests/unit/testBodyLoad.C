@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "compat.H"
 #include "testTools.H"
 #include "bodyLoad.H"
 #include "PstreamReduceOps.H"
@@ -279,8 +280,7 @@ TEST_CASE("Packed loads of two bodies sum over processors", "[bodyLoad]")
         expected[bodyi].unpack(sum, 0, n);
     }
 
-    Pstream::listCombineGather(packed, plusEqOp<scalar>());
-    Pstream::listCombineScatter(packed);
+    compat::allReduce(packed, plusEqOp<scalar>());
 
     for (label bodyi = 0; bodyi < nBodies; ++bodyi)
     {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "compat.H"
+
+void Foam::immersedBodies::measureCells()
+{
+    forAll(bodies_, bodyi)
+    {
+        const bodyRegion& region = region_.region(bodyi);
+
+        h_[bodyi] = 0;
+
+        forAll(region.cells, i)
+        {
+            const scalar h = region_.search().h()[region.cells[i]];
+
+            if (mag(region.distance[i]) < h)
+            {
+                h_[bodyi] = max(h_[bodyi], h);
+            }
+        }
+    }
+
+    compat::allReduce(h_, maxEqOp<scalar>());
+
+    // A body smaller than a cell may have no centre of one near its surface
+    forAll(h_, bodyi)
+    {
+        if (h_[bodyi] == 0)
+        {
+            h_[bodyi] = bodies_[bodyi].shape().width();
+        }
+    }
+}
+
+
+void Foam::immersedBodies::checkInside() const
+{
+    labelList found(bodies_.size(), 0);
+
+    forAll(bodies_, bodyi)
+    {
+        found[bodyi] = mesh_.findCell(bodies_[bodyi].state().position) >= 0;
+    }
+
+    compat::allReduce(found, maxEqOp<label>());
+
+    forAll(bodies_, bodyi)
+    {
+        if (!found[bodyi])
+        {
+            FatalIOErrorInFunction(dict_.subDict("bodies"))
+                << "'position " << bodies_[bodyi].state().position
+                << "' of body '" << bodies_[bodyi].name()
+                << "' is outside the mesh, whose bounds are "
+                << mesh_.bounds() << nl << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::immersedBodies::checkResolution() const
+{
+    forAll(bodies_, bodyi)
+    {
+        if (cellsPerWidth(bodyi) < 4)
+        {
+            IOWarningInFunction(dict_.subDict("bodies"))
+                << "Body '" << bodies_[bodyi].name() << "' has only "
+                << cellsPerWidth(bodyi) << " cells across its width; at least"
+                << " 4 are needed, 8 for errors of a percent" << nl << endl;
+        }
+    }
+}
