@@ -2,6 +2,43 @@
 
 #include "bodyRegion.H"
 
+namespace
+{
+
+//- Sizes of cells, and of faces, by their labels
+struct cellSize
+{
+    const Foam::cellSearch& search;
+
+    Foam::scalar max(const Foam::label celli) const
+    {
+        return search.hMax(celli);
+    }
+
+    Foam::scalar along(const Foam::label celli, const Foam::vector& n) const
+    {
+        return search.h(celli, n);
+    }
+};
+
+struct faceSize
+{
+    const Foam::cellSearch& search;
+
+    Foam::scalar max(const Foam::label facei) const
+    {
+        return search.faceHMax(facei);
+    }
+
+    Foam::scalar along(const Foam::label facei, const Foam::vector& n) const
+    {
+        return search.faceH(facei, n);
+    }
+};
+
+} // End anonymous namespace
+
+
 Foam::bodyRegion::bodyRegion()
 :
     searchCentre_(Zero),
@@ -37,7 +74,7 @@ void Foam::bodyRegion::search
     for (const label celli : inBox)
     {
         const scalar reach =
-            radius + bandWidth*min(search.h()[celli], hCap) + searchMargin_;
+            radius + bandWidth*min(search.hMax(celli), hCap) + searchMargin_;
 
         if (mag(search.mesh().cellCentres()[celli] - searchCentre_) < reach)
         {
@@ -50,15 +87,17 @@ void Foam::bodyRegion::search
 }
 
 
+template<class Size>
 void Foam::bodyRegion::select
 (
     const immersedBody& body,
     const labelUList& labels,
     const UList<point>& centres,
-    const UList<scalar>& sizes,
+    const Size& size,
     const scalar bandWidth,
     DynamicList<label>& inBand,
     DynamicList<scalar>& d,
+    DynamicList<vector>& n,
     DynamicList<scalar>& h
 )
 {
@@ -68,19 +107,41 @@ void Foam::bodyRegion::select
 
     inBand.clear();
     d.clear();
-    h.clear();
 
     forAll(labels, i)
     {
-        const scalar hi = min(sizes[labels[i]], hCap);
-
-        if (allD[i] < bandWidth*hi)
+        if (allD[i] < bandWidth*min(size.max(labels[i]), hCap))
         {
             inBand.append(labels[i]);
             d.append(allD[i]);
-            h.append(hi);
         }
     }
+
+    n.setSize(inBand.size());
+    h.setSize(inBand.size());
+    body.normal(pointField(centres, inBand), n);
+
+    // Where the cells are thin along the normal the band is narrower
+    label nKept = 0;
+
+    forAll(inBand, i)
+    {
+        const scalar hi = min(size.along(inBand[i], n[i]), hCap);
+
+        if (d[i] < bandWidth*hi)
+        {
+            inBand[nKept] = inBand[i];
+            d[nKept] = d[i];
+            n[nKept] = n[i];
+            h[nKept] = hi;
+            ++nKept;
+        }
+    }
+
+    inBand.setSize(nKept);
+    d.setSize(nKept);
+    n.setSize(nKept);
+    h.setSize(nKept);
 }
 
 
@@ -110,17 +171,21 @@ bool Foam::bodyRegion::update
 
     select
     (
-        body, nearCells_, mesh.cellCentres(), search.h(), bandWidth,
-        cells, distance, h
+        body, nearCells_, mesh.cellCentres(), cellSize{search}, bandWidth,
+        cells, distance, normal, h
     );
     select
     (
-        body, nearFaces_, mesh.faceCentres(), search.faceH(), bandWidth,
-        faces, faceDistance, faceH
+        body, nearFaces_, mesh.faceCentres(), faceSize{search}, bandWidth,
+        faces, faceDistance, faceNormal, faceH
     );
 
-    normal.setSize(cells.size());
-    body.normal(pointField(mesh.cellCentres(), cells), normal);
+    c4.setSize(cells.size());
+
+    forAll(cells, i)
+    {
+        c4[i] = search.c4(cells[i], normal[i]);
+    }
 
     resistance.setSize(cells.size());
     shield.setSize(cells.size());

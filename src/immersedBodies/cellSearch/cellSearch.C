@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellSearch.H"
-#include "linear.H"
 #include "processorPolyPatch.H"
-#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
 :
     mesh_(mesh),
     h_(mesh.nCells()),
-    faceH_(mesh.nFaces()),
+    edges_
+    (
+        IOobject("cellEdges", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedSymmTensor(dimArea, Zero),
+        zeroGradientFvPatchSymmTensorField::typeName
+    ),
     faceMet_(mesh.nFaces())
 {
     forAll(h_, celli)
@@ -18,30 +22,86 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         h_[celli] = space.cellSize(mesh.V()[celli]);
     }
 
-    volScalarField h
-    (
-        IOobject("cellSize", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimLength, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    );
-    h.primitiveFieldRef() = h_;
-    h.correctBoundaryConditions();
+    // Of a polyhedron as of a box: twelve times the second moment of the faces'
+    // centres, each weighted with the volume of its pyramid
+    const vector across(vector::one - space.emptyDir());
 
-    const surfaceScalarField hf(linearInterpolate(h));
-
-    SubList<scalar>(faceH_, mesh.nInternalFaces()) = hf.primitiveField();
-
-    forAll(hf.boundaryField(), patchi)
+    forAll(h_, celli)
     {
-        const scalarField& patchH = hf.boundaryField()[patchi];
-        const label start = mesh.boundaryMesh()[patchi].start();
+        const point& centre = mesh.cellCentres()[celli];
+        symmTensor& M = edges_[celli];
 
-        forAll(patchH, i)
+        for (const label facei : mesh.cells()[celli])
         {
-            faceH_[start + i] = patchH[i];
+            const vector r(mesh.faceCentres()[facei] - centre);
+            const vector inPlane(cmptMultiply(r, across));
+            const scalar pyramid = mag(mesh.faceAreas()[facei] & r)/3;
+
+            M += 12*pyramid/mesh.V()[celli]*sqr(inPlane);
         }
     }
+    edges_.correctBoundaryConditions();
+}
+
+
+Foam::symmTensor Foam::cellSearch::faceEdges(const label facei) const
+{
+    if (mesh_.isInternalFace(facei))
+    {
+        return 0.5
+           *(
+                edges_[mesh_.faceOwner()[facei]]
+              + edges_[mesh_.faceNeighbour()[facei]]
+            );
+    }
+
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label patchi = patches.whichPatch(facei);
+
+    // On a processor patch the patch value is that of the other side
+    return 0.5
+       *(
+            edges_[mesh_.faceOwner()[facei]]
+          + edges_.boundaryField()[patchi][facei - patches[patchi].start()]
+        );
+}
+
+
+Foam::scalar Foam::cellSearch::faceH
+(
+    const label facei,
+    const vector& n
+) const
+{
+    return Foam::sqrt(n & (faceEdges(facei) & n));
+}
+
+
+Foam::scalar Foam::cellSearch::faceHMax(const label facei) const
+{
+    return Foam::sqrt(maxEigenvalue(faceEdges(facei)));
+}
+
+
+Foam::scalar Foam::cellSearch::c4(const label celli, const vector& n) const
+{
+    const point& centre = mesh_.cellCentres()[celli];
+    scalar second = 0;
+    scalar fourth = 0;
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        // To the centre beyond the face, were the mesh regular
+        const vector r(2*(mesh_.faceCentres()[facei] - centre));
+        const vector& Sf = mesh_.faceAreas()[facei];
+        const scalar x2 = sqr(r & n);
+        const scalar weight = magSqr(Sf)/max(mag(Sf & r), VSMALL);
+
+        second += weight*x2;
+        fourth += weight*sqr(x2);
+    }
+
+    return fourth/max(second*sqr(h(celli, n)), VSMALL);
 }
 
 

@@ -13,7 +13,8 @@ void Foam::immersedBodies::measureCells()
 
         forAll(region.cells, i)
         {
-            const scalar h = region_.search().h()[region.cells[i]];
+            const scalar h =
+                region_.search().h(region.cells[i], region.normal[i]);
 
             if (mag(region.distance[i]) < h)
             {

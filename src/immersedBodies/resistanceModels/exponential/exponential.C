@@ -150,14 +150,12 @@ void Foam::resistanceModels::exponential::setResistance
             continue;
         }
 
-        const vector& n = region.normal[i];
-        const scalar c4 = pow4(n.x()) + pow4(n.y()) + pow4(n.z());
         const scalar fade = min(1, (fadeEnd - ad)/(fadeEnd - fadeStart));
 
         // Beyond exp(60) the cap applies whatever the other factors
         const scalar K =
             nu[celli]/sqr(h)*factor
-           *Foam::exp(sqr(a)*c4/18 - 2*max(ad, scalar(-30)));
+           *Foam::exp(sqr(a)*region.c4[i]/18 - 2*max(ad, scalar(-30)));
 
         region.resistance[i] = min(fade*K, cap*A0[celli]);
     }
