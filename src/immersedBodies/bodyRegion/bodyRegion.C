@@ -126,7 +126,11 @@ void Foam::bodyRegion::select
 
     forAll(inBand, i)
     {
-        const scalar hi = min(size.along(inBand[i], n[i]), hCap);
+        // No normal at the centre of a round body
+        const scalar along = magSqr(n[i]) > 0.5
+          ? size.along(inBand[i], n[i])
+          : size.max(inBand[i]);
+        const scalar hi = min(along, hCap);
 
         if (d[i] < bandWidth*hi)
         {
