@@ -22,13 +22,15 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         tUEqn(),
         A0_(),
         U_,
-        gradP_(),
+        drive()(),
         dU,
         free && outer_ == 1
     );
 
     // A body that hardly moves yet is compared with the fluid
     const scalar speed = max(bodies_->maxSpeed(), 0.01*fluidSpeed());
+
+    change_ = change/max(speed, VSMALL);
 
     // The first iteration knows the pressure of the old pose only
     converged_ = !bodies_->moving()

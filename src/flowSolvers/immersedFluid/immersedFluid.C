@@ -59,6 +59,8 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     ),
     outer_(0),
     converged_(false),
+    change_(0),
+    retry_(mesh, runTime_),
     startTime_(mesh.time().value())
 {
     if (!immersed())
@@ -77,6 +79,11 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     {
         // Two previous levels, to extrapolate from
         p_.oldTime().oldTime();
+    }
+    if (bodies_->anyFree())
+    {
+        // For steps that are repeated
+        phi_.oldTime();
     }
 
     if (!functionObject::postProcess)
@@ -149,9 +156,11 @@ void Foam::flowSolvers::immersedFluid::preSolve()
     correctCoNum();
     CoNum = max(CoNum, bodies_->courantNo());
     adjustDeltaT();
+    retry_.begin(adjustTimeStep);
 
     outer_ = 0;
     converged_ = false;
+    change_ = 0;
 }
 
 
@@ -162,12 +171,26 @@ bool Foam::flowSolvers::immersedFluid::outerLoop()
         return incompressibleFluid::outerLoop();
     }
 
-    if (converged_ || outer_ == bodies_->nOuterCorrectors())
+    // Far above their own size the velocities do not come back
+    const scalar hopeless = 100;
+
+    if
+    (
+        !converged_
+     && outer_ < bodies_->nOuterCorrectors()
+     && change_ < hopeless
+    )
+    {
+        ++outer_;
+        return true;
+    }
+
+    if (!farOff())
     {
         return false;
     }
 
-    ++outer_;
+    repeatStep();
     return true;
 }
 

@@ -23,20 +23,49 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::flowSolvers::immersedFluid::assembleMomentum()
 {
-    if (!stokes_)
-    {
-        return incompressibleFluid::assembleMomentum();
-    }
-
     tmp<fvVectorMatrix> tEqn
     (
-        fvm::ddt(U_) + divDevSigma() == fvOptions(U_)
+        stokes_
+      ? fvm::ddt(U_) + divDevSigma() == fvOptions(U_)
+      : incompressibleFluid::assembleMomentum()
     );
 
-    tEqn.ref().relax();
-    fvOptions.constrain(tEqn.ref());
+    if (stokes_)
+    {
+        tEqn.ref().relax();
+        fvOptions.constrain(tEqn.ref());
+    }
+    if (immersed())
+    {
+        separateForce(tEqn.ref());
+    }
 
     return tEqn;
+}
+
+
+void Foam::flowSolvers::immersedFluid::separateForce(fvVectorMatrix& eqn)
+{
+    force_.clear();
+
+    if (fvOptions.appliesToField(U_.name()))
+    {
+        const fvVectorMatrix options(fvOptions(U_));
+
+        force_ = -options.source()/mesh_.V();
+        eqn.source() += options.source();
+    }
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::flowSolvers::immersedFluid::drive() const
+{
+    const vectorField& gradP = gradP_().primitiveField();
+
+    return force_.empty()
+      ? tmp<vectorField>(gradP)
+      : tmp<vectorField>(new vectorField(gradP - force_));
 }
 
 
@@ -91,8 +120,10 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     fvVectorMatrix UEqn(tUEqn());
 
-    UEqn.source() -= mesh_.V()*gradP_();
-    bodies_->region().penalise(A0_(), gradP_(), UEqn);
+    const tmp<vectorField> tdrive(drive());
+
+    UEqn.source() -= mesh_.V()*tdrive();
+    bodies_->region().penalise(A0_(), tdrive(), UEqn);
     UEqn.solve(mesh_.solver(U_.select(true)));
 
     fvOptions.correct(U_);

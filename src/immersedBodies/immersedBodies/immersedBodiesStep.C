@@ -13,6 +13,17 @@ void Foam::immersedBodies::beginStep()
 }
 
 
+void Foam::immersedBodies::undoStep()
+{
+    for (immersedBody& body : bodies_)
+    {
+        body.undoStep();
+    }
+    window_.undoStep();
+    region_.updateGeometry(bodies_);
+}
+
+
 void Foam::immersedBodies::predictPoses()
 {
     const scalar dt = mesh_.time().deltaTValue();

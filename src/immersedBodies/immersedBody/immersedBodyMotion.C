@@ -46,6 +46,16 @@ void Foam::immersedBody::beginStep()
 }
 
 
+void Foam::immersedBody::undoStep()
+{
+    state_ = old_;
+    old_ = oldOld_;
+
+    fluid_ = fluidOld_;
+    fluidOld_ = fluidOldOld_;
+}
+
+
 void Foam::immersedBody::predictPose
 (
     const scalar dt,
@@ -90,9 +100,12 @@ bool Foam::immersedBody::isLight
     const scalar ddtInertia
 ) const
 {
-    // Of the inertia left, below about 0.4 time steps have been seen to
-    // amplify spin (disc of four cells, r = 0.5)
-    return response + (densityRatio_ - 1)*ddtInertia < 0.6*ddtInertia;
+    // Without the momentum of the fluid inside, time steps have been seen to
+    // amplify spin where less than about 0.4 of the inertia is left (disc of
+    // four cells, r = 0.5), or r is small whatever is left (r = 0.1)
+    return
+        densityRatio_ < 0.75
+     || response + (densityRatio_ - 1)*ddtInertia < 0.6*ddtInertia;
 }
 
 

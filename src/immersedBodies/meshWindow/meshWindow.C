@@ -89,6 +89,13 @@ void Foam::meshWindow::beginStep()
 }
 
 
+void Foam::meshWindow::undoStep()
+{
+    velocity_ = oldVelocity_;
+    displacement_ = oldDisplacement_;
+}
+
+
 void Foam::meshWindow::follow(const PtrList<immersedBody>& bodies)
 {
     if (!comoving_ || prescribed_)
