@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyTools.H"
+
+using namespace Foam;
+using namespace bodyTools;
+using testTools::difference;
+
+
+TEST_CASE("A body whose fluid follows it falls freely", "[immersedBody]")
+{
+    const word scheme = GENERATE(as<std::string>(), "Euler", "backward");
+    const scalar ratio = GENERATE(2.0, 1000.0);
+    const bool twoD = GENERATE(true, false);
+
+    immersedBody body(makeBody
+    (
+        "densityRatio " + std::to_string(ratio) + "; velocity (1 2 0);",
+        twoD ? xyPlane : space
+    ));
+    const vector g(3, -9.81, 0), U0(1, 2, 0);
+    const scalar dt = 0.01;
+    const label n = 20;
+
+    advance(body, true, scheme, g, dt, n);
+
+    // The velocity is linear in time, for which both schemes and the
+    // trapezoidal rule are exact
+    const scalar t = n*dt;
+    CHECK(difference(body.state().U, U0 + t*g) < 1e-10);
+    CHECK(difference(body.state().position, t*U0 + 0.5*sqr(t)*g) < 1e-10);
+    CHECK(mag(body.state().omega) < 1e-12);
+
+    // Nothing but weight acts: the fluid's force is that of its own weight
+    CHECK(difference(body.fluidForce(), body.volume()*g) < 1e-10);
+}
+
+
+TEST_CASE("In fluid that stays at rest a light body rises",
+    "[immersedBody]")
+{
+    const word scheme = GENERATE(as<std::string>(), "Euler", "backward");
+    const scalar ratio = GENERATE(0.01, 0.5, 0.9);
+
+    // r V dU/dt = (r - 1) V g
+    immersedBody body(makeBody("densityRatio " + std::to_string(ratio) + ";"));
+    const vector g(0, -9.81, 0), a((ratio - 1)/ratio*g);
+    const scalar dt = 0.01;
+    const label n = 5;
+
+    // The Newton step is damped by half the displaced mass: slow if that is
+    // much more than the body's own
+    const label repeats = ratio < 0.1 ? 20 : 1;
+    for (label i = 0; i < n; ++i)
+    {
+        const ddtCoefficients ddt(scheme, dt, i == 0 ? GREAT : dt);
+        body.beginStep();
+        for (label outer = 0; outer < 80*repeats; ++outer)
+        {
+            body.correctVelocity
+            (
+                fluidInside(vector::zero, vector::zero, 0), ddt, g
+            );
+        }
+        body.predictPose(dt);
+    }
+
+    const scalar t = n*dt;
+    CHECK(difference(body.state().U, t*a) < 1e-9*mag(a));
+    CHECK(difference(body.state().position, 0.5*sqr(t)*a) < 1e-9*mag(a));
+    CHECK(mag(body.fluidForce()) < 1e-12);
+}
+
+
+TEST_CASE("Without torque a body keeps spinning", "[immersedBody]")
+{
+    immersedBody body(makeBody
+    (
+        "densityRatio 3; angularVelocity (1 2 -3);",
+        space
+    ));
+    advance(body, true, "backward", vector::zero, 0.01, 50);
+
+    const vector omega(1, 2, -3);
+    CHECK(difference(body.state().omega, omega) < 1e-12);
+    CHECK(difference(body.state().position, vector::zero) < 1e-12);
+
+    // Turned by |omega| t about omega
+    const tensor R(quaternion(normalised(omega), 0.5*mag(omega)).R());
+    CHECK(difference(body.state().orientation.R(), R) < 1e-12);
+}
+
+
+TEST_CASE("In a plane a free body stays in it", "[immersedBody]")
+{
+    bodyLoad load(fluidInside({1, 1, 1}, {1, 1, 1}, 1));
+    load.addResponse(1, {0.1, 0.2, 0.05}, {0.1, 0.2, 0.05});
+    load.force = vector(1, 1, 1);
+    load.torque = vector(1, 1, 1);
+
+    immersedBody body(makeBody("densityRatio 2;", xyPlane, 1, {1, 2, 7}));
+    CHECK(body.state().position == vector(1, 2, 0));
+
+    body.beginStep();
+    body.correctVelocity
+    (
+        load, ddtCoefficients("Euler", 0.1, 0.1), {0, 0, -10}
+    );
+    body.predictPose(0.1);
+
+    CHECK(body.state().U.z() == 0);
+    CHECK(body.state().omega.x() == 0);
+    CHECK(body.state().omega.y() == 0);
+    CHECK(body.state().position.z() == 0);
+    CHECK(mag(body.state().U.x()) > 0);
+}
