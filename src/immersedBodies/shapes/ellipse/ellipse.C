@@ -17,19 +17,15 @@ namespace bodyShapes
 }
 }
 
-namespace
-{
-
-//- Semi-axes from dict, in the plane; GREAT for the empty direction
-Foam::vector inPlaneAxes
+Foam::vector Foam::bodyShapes::ellipse::inPlaneAxes
 (
-    const Foam::dictionary& dict,
-    const Foam::geometricSpace& space
+    const dictionary& dict,
+    const geometricSpace& space
 )
 {
-    const Foam::vector2D ab(dict.get<Foam::vector2D>("semiAxes"));
-    const Foam::vector emptyDir(space.emptyDir());
-    Foam::vector axes(Foam::GREAT, Foam::GREAT, Foam::GREAT);
+    const vector2D ab(dict.get<vector2D>("semiAxes"));
+    const vector emptyDir(space.emptyDir());
+    vector axes(GREAT, GREAT, GREAT);
 
     for (int i = 0; i < 3; ++i)
     {
@@ -42,8 +38,6 @@ Foam::vector inPlaneAxes
 
     return axes;
 }
-
-} // End anonymous namespace
 
 
 Foam::bodyShapes::ellipse::ellipse
