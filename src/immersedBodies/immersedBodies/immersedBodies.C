@@ -14,21 +14,28 @@ namespace Foam
 namespace
 {
 
-//- Place the bodies of a dictionary
+//- Place the bodies of a dictionary, with their velocities at the start
 Foam::PtrList<Foam::immersedBody> placeBodies
 (
     const Foam::dictionary& dict,
     const Foam::geometricSpace& space,
-    const Foam::fileName& root,
+    const Foam::Time& time,
     const Foam::scalar rho
 )
 {
     Foam::PtrList<Foam::immersedBody> bodies;
-    Foam::bodyPlacement(space, root, rho).place
+    Foam::bodyPlacement(space, time.globalPath(), rho).place
     (
         dict.subDict("bodies"),
         bodies
     );
+
+    for (Foam::immersedBody& body : bodies)
+    {
+        // Velocities that start from zero are wrong, if so, a step later
+        body.prescribe(time.value() + time.deltaTValue());
+        body.startPrescribed(time.value());
+    }
 
     return bodies;
 }
@@ -74,7 +81,8 @@ Foam::immersedBodies::immersedBodies
     space_(mesh),
     rho_(readRho(dict, mesh)),
     g_(readGravity(mesh)),
-    bodies_(placeBodies(dict, space_, mesh.time().globalPath(), rho_)),
+    bodies_(placeBodies(dict, space_, mesh.time(), rho_)),
+    clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_)),

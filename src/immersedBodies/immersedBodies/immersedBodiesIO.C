@@ -138,6 +138,7 @@ bool Foam::immersedBodies::readState()
 
     const dictionary& bodyStates = states.subDict("bodies");
 
+    states.readIfPresent("time", clock_);
     window_.readState(states.subDict("window"));
 
     for (immersedBody& body : bodies_)
@@ -170,12 +171,18 @@ void Foam::immersedBodies::report(Ostream& os) const
     region_.resistance().report(os);
 
     scalar fewest = GREAT, most = 0;
+    label nFree = 0, nFixed = 0;
 
     forAll(bodies_, bodyi)
     {
         fewest = min(fewest, cellsPerWidth(bodyi));
         most = max(most, cellsPerWidth(bodyi));
+        nFree += bodies_[bodyi].isFree();
+        nFixed += bodies_[bodyi].isFixed();
     }
+
+    os  << nl << "    motion: " << nFree << " free, " << nFixed << " fixed, "
+        << size() - nFree - nFixed << " prescribed";
 
     if (window_.comoving())
     {
@@ -195,6 +202,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     // As many digits as it takes to go on exactly
     const auto precision = os.precision(17);
 
+    os.writeEntry("time", clock_);
     window_.writeState(os);
 
     os.beginBlock("bodies");

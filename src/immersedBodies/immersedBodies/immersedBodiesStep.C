@@ -5,11 +5,17 @@
 
 void Foam::immersedBodies::beginStep()
 {
+    clock_ += mesh_.time().deltaTValue();
+
     for (immersedBody& body : bodies_)
     {
         body.beginStep();
+        body.prescribe(clock_);
     }
+
+    // At once, where it follows a body with a prescribed velocity
     window_.beginStep();
+    window_.follow(bodies_);
 }
 
 

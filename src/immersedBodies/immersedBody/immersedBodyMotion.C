@@ -36,6 +36,26 @@ void Foam::immersedBody::setAmbient(const vector& U, const vector& omega)
 }
 
 
+void Foam::immersedBody::prescribe(const scalar t)
+{
+    if (prescribed_)
+    {
+        state_.U = prescribed_->velocity(t);
+        state_.omega = prescribed_->angularVelocity(t);
+    }
+}
+
+
+void Foam::immersedBody::startPrescribed(const scalar t)
+{
+    if (prescribed_)
+    {
+        prescribe(t);
+        restart();
+    }
+}
+
+
 void Foam::immersedBody::beginStep()
 {
     oldOld_ = old_;

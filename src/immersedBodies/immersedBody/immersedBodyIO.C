@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBody.H"
+#include "checkKeywords.H"
+
+const Foam::wordList Foam::immersedBody::keywords
+({
+    "shape", "density", "densityRatio", "velocity", "angularVelocity",
+    "constraints", "motion"
+});
+
+
+namespace
+{
+
+//- Read a vector or the word ambient; returns true for the latter
+bool readOrAmbient
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    Foam::vector& value
+)
+{
+    using namespace Foam;
+
+    ITstream& is = dict.lookup(key);
+    const token first(is);
+
+    if (first.isWord())
+    {
+        if (first.wordToken() != "ambient")
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << " " << first.wordToken() << "' in '"
+                << dict.dictName() << "' must be 'ambient' or a vector"
+                << nl << exit(FatalIOError);
+        }
+        return true;
+    }
+
+    value = dict.get<vector>(key);
+    return false;
+}
+
+
+//- Read a vector of zeros and ones, allowed only where limit is one
+Foam::vector readFlags
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::vector& limit
+)
+{
+    using namespace Foam;
+
+    const vector flags(dict.lookupOrDefault<vector>(key, limit));
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (flags[i] != 0 && flags[i] != 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << " " << flags << "' in '" << dict.dictName()
+                << "' must have components 0 (locked) or 1 (free)"
+                << nl << exit(FatalIOError);
+        }
+    }
+
+    return cmptMultiply(flags, limit);
+}
+
+} // End anonymous namespace
+
+
+void Foam::immersedBody::readMotion(const dictionary& dict)
+{
+    const dictionary motion(dict.subOrEmptyDict("motion"));
+    const word type
+    (
+        Foam::keywords::choice
+        (
+            motion,
+            "type",
+            {"free", "fixed", "prescribed"},
+            "free"
+        )
+    );
+
+    if (type == "free")
+    {
+        Foam::keywords::check(motion, {"type"});
+        readConstraints(dict);
+        readVelocities(dict);
+        return;
+    }
+
+    for (const char* key : {"constraints", "velocity", "angularVelocity"})
+    {
+        if (dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << "' in '" << dict.dictName() << "' is for"
+                << " 'motion { type free; }' and this body has 'type " << type
+                << "'; velocities of 'type prescribed' are entries of 'motion'"
+                << nl << exit(FatalIOError);
+        }
+    }
+
+    freeU_ = freeOmega_ = Zero;
+
+    if (type == "fixed")
+    {
+        fixed_ = true;
+        Foam::keywords::check(motion, {"type"});
+    }
+    else
+    {
+        prescribed_ = std::make_shared<const prescribedMotion>(motion, space_);
+    }
+}
+
+
+void Foam::immersedBody::readDensity(const dictionary& dict, const scalar rho)
+{
+    if (dict.found("density") == dict.found("densityRatio"))
+    {
+        if (dict.found("density") || isFree())
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << dict.dictName() << "' needs one of 'density' and"
+                << " 'densityRatio'" << nl << exit(FatalIOError);
+        }
+    }
+    else if (dict.found("densityRatio"))
+    {
+        densityRatio_ = Foam::keywords::positive(dict, "densityRatio");
+    }
+    else
+    {
+        densityRatio_ = Foam::keywords::positive(dict, "density")/rho;
+
+        if (!(rho > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "'density' needs the density of the fluid: set 'rho' [kg/m3]"
+                << " in immersedBodyProperties or transportProperties, or use"
+                << " 'densityRatio'" << nl << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::immersedBody::readConstraints(const dictionary& dict)
+{
+    if (dict.found("constraints"))
+    {
+        const dictionary& constraints = dict.subDict("constraints");
+        Foam::keywords::check(constraints, {"translate", "rotate"});
+
+        freeU_ = readFlags(constraints, "translate", freeU_);
+        freeOmega_ = readFlags(constraints, "rotate", freeOmega_);
+    }
+}
+
+
+void Foam::immersedBody::readVelocities(const dictionary& dict)
+{
+    if (dict.found("velocity"))
+    {
+        ambientU_ = readOrAmbient(dict, "velocity", state_.U);
+    }
+
+    ambientOmega_ = ambientU_;
+
+    if (dict.found("angularVelocity"))
+    {
+        ambientOmega_ = readOrAmbient(dict, "angularVelocity", state_.omega);
+    }
+
+    const vector outU
+    (
+        state_.U - cmptMultiply(state_.U, space_.translation())
+    );
+    const vector outOmega
+    (
+        state_.omega - cmptMultiply(state_.omega, space_.rotation())
+    );
+
+    if (magSqr(outU) > 0 || magSqr(outOmega) > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'velocity' or 'angularVelocity' in '" << dict.dictName()
+            << "' leads out of the plane of the mesh" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::immersedBody::readState(const dictionary& dict)
+{
+    const dictionary& old = dict.subDict("old");
+
+    state_ = bodyState(dict);
+    fluid_.linear = dict.get<vector>("fluidMomentum");
+    fluid_.angular = dict.get<vector>("fluidAngularMomentum");
+
+    old_ = oldOld_ = bodyState(old);
+    fluidOld_.linear = old.get<vector>("fluidMomentum");
+    fluidOld_.angular = old.get<vector>("fluidAngularMomentum");
+    fluidOldOld_ = fluidOld_;
+
+    // The previous run may have moved it
+    if (fixed_)
+    {
+        state_.U = state_.omega = Zero;
+        old_ = oldOld_ = state_;
+    }
+
+    ambientU_ = ambientOmega_ = false;
+}
+
+
+void Foam::immersedBody::writeState(Ostream& os) const
+{
+    os.beginBlock(name_);
+
+    state_.write(os);
+    os.writeEntry("fluidMomentum", fluid_.linear);
+    os.writeEntry("fluidAngularMomentum", fluid_.angular);
+
+    os.beginBlock("old");
+    old_.write(os);
+    os.writeEntry("fluidMomentum", fluidOld_.linear);
+    os.writeEntry("fluidAngularMomentum", fluidOld_.angular);
+    os.endBlock();
+
+    os.endBlock();
+}
