@@ -92,6 +92,43 @@ WRONG = {
         ["'velocity'", "'disc'", "out of the plane", FILE],
     ),
 
+    # Motion
+    "type of motion": (
+        FILE, BODY, BODY + " motion { type towed; }",
+        ["'type towed'", "free fixed prescribed", "'motion'", FILE],
+    ),
+    "prescribed motion without a velocity": (
+        FILE, "velocity    ambient;", "motion { type prescribed; }",
+        ["'type prescribed'", "needs 'velocity'", "'type fixed'", FILE],
+    ),
+    "velocity of a fixed body": (
+        FILE, BODY, BODY + " motion { type fixed; }",
+        ["'velocity'", "'disc'", "'motion { type free; }'", "'type fixed'",
+         FILE],
+    ),
+    "prescribed velocity out of the plane": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity (1 0 0.1); }",
+        ["'velocity'", "(1 0 0.1) at time 0", "out of the plane",
+         "allowed is (x y 0)", FILE],
+    ),
+    "prescribed spin out of the plane, later": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed;"
+        " angularVelocity table ((0 (0 0 0)) (1 (1 0 0))); }",
+        ["'angularVelocity'", "at time 0.02", "allowed is (0 0 z)", FILE],
+    ),
+    "type of function": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity sinus; }",
+        ["sinus", "sine", FILE],
+    ),
+    "exponents": (
+        FILE, "type disc; radius 0.25;",
+        "type superellipse; semiAxes (0.25 0.25); exponent 1.5;",
+        ["'exponent'", "from 2 (round) to 100", FILE],
+    ),
+
     # Places
     "no position": (
         FILE, BODY, "",

@@ -14,7 +14,19 @@ VARIANTS = {
         "maxCo": "0.2",
     },
     "backward, comoving window": {},
+    "backward, prescribed motion": {},
+    "backward, adjusted time step, prescribed motion": {
+        "adjustTimeStep": "yes",
+        "maxCo": "0.2",
+    },
 }
+PRESCRIBED = """motion
+    {
+        type        prescribed;
+        velocity    { type sine; amplitude 2; frequency 3; scale (1 0.5 0);
+                      level (1 0 0); }
+        angularVelocity table ((0 (0 0 1)) (0.3 (0 0 -2)));
+    }"""
 WINDOW = "window { type comoving; direction (1 0 0); }"
 
 
@@ -55,6 +67,11 @@ def test_restart_is_exact(variant, ranks, tube, tmp_path):
         at_once.replace(
             "constant/immersedBodyProperties", "bodies\n{",
             f"{WINDOW}\n\nbodies\n{{",
+        )
+    if "prescribed" in variant:
+        at_once.replace(
+            "constant/immersedBodyProperties", "velocity    ambient;",
+            PRESCRIBED,
         )
     if ranks > 1:
         at_once.decompose(ranks)

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drag and added mass of a disc that oscillates in a fluid at rest."""
+
+import math
+
+import numpy as np
+
+from bodyCase import BodyCase
+from boxMesh import graded
+from measure import (
+    DEPTH, Run, around, set_profile, set_stokes, set_viscosity,
+)
+
+# D = 1, nu and the period T, with beta = D^2/(nu T) = 20
+NU, PERIOD = 0.01, 5
+OMEGA = 2*math.pi/PERIOD
+PERIODS = 3
+
+# Duetsch et al. 1998, Re 100 and KC 5: drag and added mass coefficient
+DUETSCH = 2.09, 1.45
+
+
+def stokes():
+    """Damping and added mass coefficient of Stokes (1851)."""
+    z = 0.5*np.sqrt(1j*OMEGA/NU)
+    # K_1(z)/K_0(z), from the integrals of exp(-z cosh s)
+    s = np.linspace(0, 12, 20001)
+    weight = np.exp(-z*(np.cosh(s) - 1))
+    ratio = np.trapz(weight*np.cosh(s), s)/np.trapz(weight, s)
+    force = 1 + 4*ratio/z
+    return -force.imag, force.real
+
+
+def solve(folder, KC, cells, name, stokes_flow):
+    """The forces on a disc with the velocity KC/PERIOD sin(OMEGA t)."""
+    h = 1/cells
+    speed = KC/PERIOD
+    start = -speed/OMEGA
+    case = BodyCase("tube", folder, f"{name.replace(' ', '_')}_D{cells}")
+    set_profile(case, "1.5*(1 - sqr(pos().y()))", "0")
+    if stokes_flow:
+        set_stokes(case)
+    n = case.mesh(
+        graded(-20, 20, around(0, 1.25 - start, h), h),
+        graded(-20, 20, around(0, 1.25, h), h),
+    )
+    set_viscosity(case, NU)
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.5; }}
+            position    ({start:.12g} 0 0);
+            motion
+            {{
+                type        prescribed;
+                velocity
+                {{
+                    type        sine;
+                    amplitude   {speed:.12g};
+                    frequency   {1/PERIOD:.12g};
+                    scale       (1 0 0);
+                    level       (0 0 0);
+                }}
+            }}
+        }}
+    """)
+    case.controls(
+        endTime=f"{PERIODS*PERIOD}",
+        deltaT=f"{PERIOD/(10*cells):.12g}",
+    )
+    return case, Run(case, name, cells, n, may_fail=True)
+
+
+def coefficients(case, KC, drag, period):
+    """Least squares over one period of the force per unit of depth,
+
+    F = -C drag(U) - C_a pi/4 dU/dt: C and C_a, and what is left over.
+    """
+    table = case.table("forces")
+    last = (table["time"] > (period - 1)*PERIOD + 1e-9) & (
+        table["time"] < period*PERIOD + 1e-9
+    )
+    t = table["time"][last]
+    force = table["fluidForce_x"][last]/DEPTH
+    speed = KC/PERIOD
+    U, dUdt = speed*np.sin(OMEGA*t), speed*OMEGA*np.cos(OMEGA*t)
+    terms = np.c_[-drag(U), -0.25*math.pi*dUdt]
+    solution, *_ = np.linalg.lstsq(terms, force, rcond=None)
+    rest = force - terms @ solution
+    return solution, rest.std()/force.std()
+
+
+def morison(U):
+    """Drag of Morison et al. (1950) for a coefficient of one."""
+    return 0.5*abs(U)*U
+
+
+def damping(U):
+    """Force in phase with the velocity for a coefficient of one."""
+    return 0.25*math.pi*OMEGA*U
+
+
+def rows(folder, quick):
+    runs = (
+        ("Stokes flow", 0.2, damping, stokes(), ("damping", "added mass")),
+        ("Re 100 KC 5", 5, morison, DUETSCH, ("C_D", "added mass")),
+    )
+    for name, KC, drag, references, quantities in runs:
+        for cells in (8, 16) if quick else (8, 16, 32):
+            case, run = solve(folder, KC, cells, name, drag is damping)
+            if run.failed:
+                yield run.diverged()
+                continue
+            values, rest = coefficients(case, KC, drag, PERIODS)
+            before, _ = coefficients(case, KC, drag, PERIODS - 1)
+            for quantity, value, reference in zip(
+                quantities, values, references, strict=True
+            ):
+                yield run.row(quantity, value, reference)
+            yield run.row("off the fit, % rms", 100*rest)
+            change = 100*abs(values/before - 1).max()
+            yield run.row("last change, %", change)
