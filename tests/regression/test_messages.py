@@ -97,6 +97,10 @@ WRONG = {
         FILE, BODY, BODY + " motion { type towed; }",
         ["'type towed'", "free fixed prescribed", "'motion'", FILE],
     ),
+    "motion in one word": (
+        FILE, BODY, BODY + " motion fixed;",
+        ["'motion'", "not a sub-dictionary", FILE],
+    ),
     "prescribed motion without a velocity": (
         FILE, "velocity    ambient;", "motion { type prescribed; }",
         ["'type prescribed'", "needs 'velocity'", "'type fixed'", FILE],

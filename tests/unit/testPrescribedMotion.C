@@ -133,6 +133,8 @@ TEST_CASE("Wrong motions are refused", "[prescribed]")
 
     CHECK_THAT(refusal("motion { type towed; }"),
         Contains("'type towed'") && Contains("free fixed prescribed"));
+    CHECK_THAT(refusal("motion fixed;"),
+        Contains("'motion'") && Contains("not a sub-dictionary"));
     CHECK_THAT(refusal("motion { type prescribed; }"),
         Contains("needs 'velocity'") && Contains("'type fixed'"));
     CHECK_THAT(refusal("motion { type prescribed; speed 1; }"),

@@ -32,7 +32,7 @@ Foam::PtrList<Foam::immersedBody> placeBodies
 
     for (Foam::immersedBody& body : bodies)
     {
-        // Velocities that start from zero are wrong, if so, a step later
+        // Wrong ones that start from zero are refused here as well
         body.prescribe(time.value() + time.deltaTValue());
         body.startPrescribed(time.value());
     }

@@ -74,7 +74,10 @@ Foam::vector readFlags
 
 void Foam::immersedBody::readMotion(const dictionary& dict)
 {
-    const dictionary motion(dict.subOrEmptyDict("motion"));
+    const dictionary motion
+    (
+        dict.subOrEmptyDict("motion", keyType::REGEX, dict.found("motion"))
+    );
     const word type
     (
         Foam::keywords::choice
