@@ -42,7 +42,10 @@ TEST_CASE("Fixed bodies need no density", "[immersedBody]")
     CHECK(body.isFixed());
     CHECK(body.maxSpeed() == 0);
 
-    const immersedBody moved(makeBody(fixed + "velocity (3 4 0);", xyPlane, -1));
+    const immersedBody moved
+    (
+        makeBody(fixed + "velocity (3 4 0);", xyPlane, -1)
+    );
     CHECK_FALSE(moved.isFixed());
     CHECK(moved.maxSpeed() == near(5));
 }

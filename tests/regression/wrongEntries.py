@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wrong entries of the case tube, and what the message about them says."""
+
+FILE = "constant/immersedBodyProperties"
+BODY = "position    (-0.53 -0.3 0);"
+
+# What is wrong: (file, text of the case, text instead, parts of the message)
+WRONG = {
+    # Keywords
+    "keyword": (
+        FILE, "rho  ", "roh  ",
+        ["'roh'", "nearest valid one is 'rho'", "Valid keywords", FILE],
+    ),
+    "keyword of a body": (
+        FILE, "density ", "desnity ",
+        ["'desnity'", "'density'", "'disc'", "constraints", FILE],
+    ),
+    "keyword of a shape": (
+        FILE, "radius", "raduis 0.25; radius",
+        ["'raduis'", "nearest valid one is 'radius'", FILE],
+    ),
+    "keyword of the coupling": (
+        FILE, "bodies\n", "coupling { tolerence 1e-4; }\nbodies\n",
+        ["'tolerence'", "nearest valid one is 'tolerance'",
+         "nOuterCorrectors", "'coupling'", FILE],
+    ),
+    "keyword of the resistance": (
+        FILE, "bodies\n", "resistance { steepnes 1; }\nbodies\n",
+        ["'steepnes'", "nearest valid one is 'steepness'", "'resistance'",
+         FILE],
+    ),
+    "keyword of the constraints": (
+        FILE, BODY, BODY + " constraints { translation (1 0 0); }",
+        ["'translation'", "nearest valid one is 'translate'", "rotate", FILE],
+    ),
+
+    # Types
+    "type of shape": (
+        FILE, "type disc", "type disk",
+        ["'type disk'", "nearest valid one is 'disc'", "sphere", FILE],
+    ),
+    "no type of shape": (FILE, "type disc;", "", ["'type'", FILE]),
+    "type of resistance": (
+        FILE, "bodies\n", "resistance { type exponent; }\nbodies\n",
+        ["'type exponent'", "nearest valid one is 'exponential'",
+         "distanceWeighted", FILE],
+    ),
+    "type of contact": (
+        FILE, "bodies\n", "contact { type softSphere; }\nbodies\n",
+        ["'type softSphere'", "none", "contact", FILE],
+    ),
+    "sphere in 2D": (
+        FILE, "type disc", "type sphere",
+        ["'type sphere'", "use 'disc'", FILE],
+    ),
+
+    # Values
+    "negative radius": (
+        FILE, "radius 0.25", "radius -0.25",
+        ["'radius -0.25'", "greater than 0", FILE],
+    ),
+    "no radius": (FILE, "radius 0.25;", "", ["'radius'", FILE]),
+    "negative rho": (
+        FILE, "rho             1", "rho -1",
+        ["'rho -1'", "greater than 0", FILE],
+    ),
+    "density without rho": (
+        FILE, "rho             1;", "",
+        ["'density'", "set 'rho'", "densityRatio", FILE],
+    ),
+    "no density": (
+        FILE, "density     2;", "",
+        ["'disc'", "one of 'density' and 'densityRatio'", FILE],
+    ),
+    "steepness": (
+        FILE, "bodies\n", "resistance { steepness 2; }\nbodies\n",
+        ["'steepness'", "'auto' or a number from 1 to 1.2", FILE],
+    ),
+    "zero iterations": (
+        FILE, "bodies\n", "coupling { nOuterCorrectors 0; }\nbodies\n",
+        ["'nOuterCorrectors 0'", "greater than 0", FILE],
+    ),
+    "velocity": (
+        FILE, "velocity    ambient", "velocity (1 0 0.1)",
+        ["'velocity'", "'disc'", "out of the plane", FILE],
+    ),
+
+    # Motion
+    "type of motion": (
+        FILE, BODY, BODY + " motion { type towed; }",
+        ["'type towed'", "free fixed prescribed", "'motion'", FILE],
+    ),
+    "motion in one word": (
+        FILE, BODY, BODY + " motion fixed;",
+        ["'motion'", "not a sub-dictionary", FILE],
+    ),
+    "prescribed motion without a velocity": (
+        FILE, "velocity    ambient;", "motion { type prescribed; }",
+        ["'type prescribed'", "needs 'velocity'", "'type fixed'", FILE],
+    ),
+    "velocity of a fixed body": (
+        FILE, BODY, BODY + " motion { type fixed; }",
+        ["'velocity'", "'disc'", "'motion { type free; }'", "'type fixed'",
+         FILE],
+    ),
+    "prescribed velocity out of the plane": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity (1 0 0.1); }",
+        ["'velocity'", "(1 0 0.1) at time 0", "out of the plane",
+         "allowed is (x y 0)", FILE],
+    ),
+    "prescribed spin out of the plane, later": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed;"
+        " angularVelocity table ((0 (0 0 0)) (1 (1 0 0))); }",
+        ["'angularVelocity'", "at time 0.02", "allowed is (0 0 z)", FILE],
+    ),
+    "type of function": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity sinus; }",
+        ["sinus", "sine", FILE],
+    ),
+    "exponents": (
+        FILE, "type disc; radius 0.25;",
+        "type superellipse; semiAxes (0.25 0.25); exponent 1.5;",
+        ["'exponent'", "from 2 (round) to 100", FILE],
+    ),
+
+    # Places
+    "no position": (
+        FILE, BODY, "",
+        ["'disc'", "exactly one of", "positionsFile", FILE],
+    ),
+    "position outside": (
+        FILE, BODY, "position (5 0 0);",
+        ["'position (5 0 0)'", "'disc'", "outside the mesh", "(3 1 0.05)",
+         FILE],
+    ),
+    "overlap": (
+        FILE, BODY, "positions ((-0.5 0 0) (-0.1 0 0));",
+        ["overlap", "disc1 and disc2", FILE],
+    ),
+    "overlap with a wall": (
+        FILE, BODY, "position (0 0.8 0);",
+        ["overlap", "disc and a wall", FILE],
+    ),
+    "file of positions": (
+        FILE, BODY, 'positionsFile "constant/grains";',
+        ["'positionsFile'", "constant/grains", FILE],
+    ),
+
+    # Other dictionaries
+    "steady state": (
+        "system/fvSchemes", "backward", "steadyState",
+        ["ddt(U)", "steadyState", "Euler", "backward", "system/fvSchemes"],
+    ),
+    "Crank-Nicolson": (
+        "system/fvSchemes", "backward", "CrankNicolson 0.9",
+        ["ddt(U)", "CrankNicolson", "Euler", "backward", "system/fvSchemes"],
+    ),
+    "solver": (
+        "system/controlDict", "immersedFluid", "immersedfluid",
+        ["immersedfluid", "immersedFluid", "incompressibleFluid",
+         "system/controlDict"],
+    ),
+}
