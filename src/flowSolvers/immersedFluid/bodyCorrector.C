@@ -31,6 +31,10 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     const scalar speed = max(bodies_->maxSpeed(), 0.01*fluidSpeed());
 
     change_ = change/max(speed, VSMALL);
+    if (outer_ == 1)
+    {
+        firstChange_ = change_;
+    }
 
     // The first iteration knows the pressure of the old pose only
     converged_ = !bodies_->moving()

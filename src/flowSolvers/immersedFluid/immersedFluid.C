@@ -59,6 +59,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     ),
     outer_(0),
     converged_(false),
+    firstChange_(0),
     change_(0),
     retry_(mesh, runTime_),
     startTime_(mesh.time().value())
@@ -93,7 +94,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
 
     bodies_->report(Info);
     Info<< "    skipped: "
-        << (bodies_->anyFree() ? "" : "motion of bodies, ")
+        << (bodies_->moving() ? "" : "motion of bodies, ")
         << (stokes_ ? "convection, " : "")
         << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
         << "contact" << nl << endl;

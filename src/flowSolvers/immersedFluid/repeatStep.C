@@ -5,17 +5,20 @@
 bool Foam::flowSolvers::immersedFluid::farOff() const
 {
     // What goes on with less than this corrects itself in the next step
-    const scalar acceptable = 0.02;
+    const scalar acceptable = max(0.02, bodies_->tolerance());
 
     return !converged_
-     && !(change_ <= max(acceptable, bodies_->tolerance()));
+     && outer_ > 2
+     && !(change_ <= acceptable)
+     && !(change_ < 0.5*firstChange_);
 }
 
 
 void Foam::flowSolvers::immersedFluid::repeatStep()
 {
     Info<< "The velocities of the bodies have not converged in " << outer_
-        << " iterations: the last changed them by " << 100*change_ << " %"
+        << " iterations: the first changed them by " << 100*firstChange_
+        << " %, the last by " << 100*change_ << " %"
         << endl;
 
     bodies_->undoStep();

@@ -21,6 +21,8 @@ void Foam::immersedBodies::beginStep()
 
 void Foam::immersedBodies::undoStep()
 {
+    clock_ -= mesh_.time().deltaTValue();
+
     for (immersedBody& body : bodies_)
     {
         body.undoStep();
