@@ -95,6 +95,7 @@ Foam::immersedBodies::immersedBodies
         moving_ && !window_.comoving()
     ),
     proximity_(mesh),
+    nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
     h_(bodies_.size(), GREAT),
     nOuterCorrectors_(10),
@@ -108,6 +109,7 @@ Foam::immersedBodies::immersedBodies
     );
     tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
 
+    findSymmetry();
     checkInside();
     region_.updateGeometry(bodies_);
     measureCells();

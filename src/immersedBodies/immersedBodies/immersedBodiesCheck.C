@@ -2,6 +2,7 @@
 
 #include "immersedBodies.H"
 #include "compat.H"
+#include "symmetryPlanes.H"
 
 void Foam::immersedBodies::measureCells()
 {
@@ -56,6 +57,42 @@ void Foam::immersedBodies::checkInside() const
                 << "' of body '" << bodies_[bodyi].name()
                 << "' is outside the mesh, whose bounds are "
                 << mesh_.bounds() << nl << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::immersedBodies::findSymmetry()
+{
+    const symmetryPlanes planes(mesh_);
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+        const bodyState& state = body.state();
+        const List<vector> normals
+        (
+            planes.through(state.position, 1e-6*body.shape().width())
+        );
+
+        for (const vector& n : normals)
+        {
+            const scalar across =
+                mag(n & state.U)
+              + body.shape().boundingRadius()*mag(n ^ state.omega);
+
+            if (cmptMax(cmptMag(n)) < 1 - 1e-6 || across > 0)
+            {
+                FatalIOErrorInFunction(dict_.subDict("bodies"))
+                    << "Body '" << body.name() << "' is cut by a plane of"
+                    << " symmetry with the normal " << n << ", which must be"
+                    << " a coordinate axis; its 'velocity' must be in that"
+                    << " plane and its 'angularVelocity' normal to it" << nl
+                    << exit(FatalIOError);
+            }
+
+            body.keepOnPlane(n);
+            nParts_[bodyi] *= 2;
         }
     }
 }

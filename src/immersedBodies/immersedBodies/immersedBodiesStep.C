@@ -99,6 +99,12 @@ Foam::scalar Foam::immersedBodies::correct
 )
 {
     region_.load(bodies_, E0, A0, U, gradP, dU, response, loads_);
+
+    forAll(loads_, bodyi)
+    {
+        loads_[bodyi].scale(nParts_[bodyi], response);
+    }
+
     reduceLoads(response);
 
     scalar change = 0;

@@ -113,6 +113,21 @@ void Foam::bodyLoad::addResponse
 }
 
 
+void Foam::bodyLoad::scale(const scalar factor, const bool response)
+{
+    label i = 0;
+    forEach
+    (
+        *this,
+        [&](scalar& value)
+        {
+            if (response || i < nPackedLoad) value *= factor;
+            ++i;
+        }
+    );
+}
+
+
 Foam::scalarSquareMatrix Foam::bodyLoad::block() const
 {
     // Mode k translates with e_k, mode 3 + k turns with e_k ^ r. With the

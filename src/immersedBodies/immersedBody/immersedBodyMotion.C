@@ -76,6 +76,15 @@ void Foam::immersedBody::undoStep()
 }
 
 
+void Foam::immersedBody::keepOnPlane(const vector& n)
+{
+    const vector axis(cmptMag(n));
+
+    freeU_ = cmptMultiply(freeU_, vector::one - axis);
+    freeOmega_ = cmptMultiply(freeOmega_, axis);
+}
+
+
 void Foam::immersedBody::predictPose
 (
     const scalar dt,
