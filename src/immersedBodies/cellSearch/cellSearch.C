@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellSearch.H"
+#include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -146,6 +147,12 @@ Foam::labelList Foam::cellSearch::cellsAround
 }
 
 
+bool Foam::cellSearch::matched(const polyPatch& patch)
+{
+    return isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch);
+}
+
+
 Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
 {
     const cellList& cellFaces = mesh_.cells();
@@ -158,7 +165,7 @@ Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
         {
             const bool counts =
                 mesh_.isInternalFace(facei)
-             || isA<processorPolyPatch>(patches[patches.whichPatch(facei)]);
+             || matched(patches[patches.whichPatch(facei)]);
 
             if (counts && faceMet_.set(facei))
             {

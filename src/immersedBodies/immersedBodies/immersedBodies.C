@@ -110,8 +110,8 @@ Foam::immersedBodies::immersedBodies
     tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
 
     findSymmetry();
-    checkInside();
     region_.updateGeometry(bodies_);
+    checkInside();
     measureCells();
     checkResolution();
 

@@ -6,6 +6,8 @@
 
 void Foam::immersedBodies::measureCells()
 {
+    scalarField inBand(bodies_.size(), Zero);
+
     forAll(bodies_, bodyi)
     {
         const bodyRegion& region = region_.region(bodyi);
@@ -21,17 +23,22 @@ void Foam::immersedBodies::measureCells()
             {
                 h_[bodyi] = max(h_[bodyi], h);
             }
+            inBand[bodyi] = max(inBand[bodyi], h);
         }
     }
 
     compat::allReduce(h_, maxEqOp<scalar>());
+    compat::allReduce(inBand, maxEqOp<scalar>());
 
-    // A body smaller than a cell may have no centre of one near its surface
+    // No cell is near the surface if the body is outside the mesh but for its
+    // band, or smaller than a cell
     forAll(h_, bodyi)
     {
         if (h_[bodyi] == 0)
         {
-            h_[bodyi] = bodies_[bodyi].shape().width();
+            h_[bodyi] = inBand[bodyi] > 0
+              ? inBand[bodyi]
+              : bodies_[bodyi].shape().width();
         }
     }
 }
@@ -41,9 +48,13 @@ void Foam::immersedBodies::checkInside() const
 {
     labelList found(bodies_.size(), 0);
 
+    // A fixed one may be there in part, such as the image of one that a
+    // cyclic patch or a plane of symmetry cuts
     forAll(bodies_, bodyi)
     {
-        found[bodyi] = mesh_.findCell(bodies_[bodyi].state().position) >= 0;
+        found[bodyi] = bodies_[bodyi].isFixed()
+          ? !region_.region(bodyi).cells.empty()
+          : mesh_.findCell(bodies_[bodyi].state().position) >= 0;
     }
 
     compat::allReduce(found, maxEqOp<label>());

@@ -176,7 +176,7 @@ bool Foam::immersedBodies::endStep()
     {
         const scalar part = loads_[bodyi].volume/bodies_[bodyi].volume();
 
-        if (!(part > 0.02))
+        if (!(part > 0.02) && !bodies_[bodyi].isFixed())
         {
             Info<< "Body " << bodies_[bodyi].name() << " has left the mesh at "
                 << bodies_[bodyi].state().position + window_.displacement()

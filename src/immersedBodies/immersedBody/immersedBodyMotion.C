@@ -194,7 +194,6 @@ Foam::scalar Foam::immersedBody::correctVelocity
 )
 {
     load_ = load;
-    fluid_ = fluidMomentum(load);
 
     const rigidMomentum ddtBody
     (
@@ -207,6 +206,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
     {
         return 0;
     }
+
+    fluid_ = fluidMomentum(load);
 
     scalarSquareMatrix J(jacobian(load, ddt.c));
     const rigidMomentum ddtInside(ddt(fluid_, fluidOld_, fluidOldOld_));

@@ -193,11 +193,8 @@ void Foam::immersedRegion::updateResistance
         }
     }
 
-    // The response of rows next to another processor needs its resistance
-    if (Pstream::parRun())
-    {
-        K_.correctBoundaryConditions();
-    }
+    // The response of rows next to a coupled patch needs that beyond it
+    K_.correctBoundaryConditions();
 }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedRegion.H"
+#include "cyclicPolyPatch.H"
+#include "syncTools.H"
 
 void Foam::immersedRegion::penalise
 (
@@ -72,6 +74,56 @@ void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
                 [patchi][facei - patches[patchi].start()];
 
             patchPhi = open*patchPhi + bodyFlux_[facei];
+        }
+    }
+
+    equaliseCyclic(phi);
+}
+
+
+void Foam::immersedRegion::equaliseCyclic(surfaceScalarField& phi) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+    bool cyclic = false;
+
+    // All processors have these patches, with faces or without
+    for (const polyPatch& patch : patches)
+    {
+        cyclic = cyclic || isA<cyclicPolyPatch>(patch);
+    }
+
+    if (!cyclic)
+    {
+        return;
+    }
+
+    surfaceScalarField::Boundary& phib = phi.boundaryFieldRef();
+    scalarList beyond(mesh_.nFaces() - nInternal, Zero);
+
+    forAll(phib, patchi)
+    {
+        SubList<scalar>
+        (
+            beyond,
+            phib[patchi].size(),
+            patches[patchi].start() - nInternal
+        ) = phib[patchi];
+    }
+
+    syncTools::swapBoundaryFaceList(mesh_, beyond);
+
+    forAll(phib, patchi)
+    {
+        if (cellSearch::matched(patches[patchi]))
+        {
+            forAll(phib[patchi], i)
+            {
+                const scalar other =
+                    beyond[patches[patchi].start() - nInternal + i];
+
+                phib[patchi][i] = 0.5*(phib[patchi][i] - other);
+            }
         }
     }
 }
