@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drag of periodic arrays of discs and spheres, Stokes flow."""
+
+import itertools
+import math
+
+from measure import DEPTH, LOCKED, Run, set_stokes, set_viscosity
+from periodicBox import periodic_case, superficial_speed
+
+# Centres in a cell of side 1, distance between neighbours, and for each solid
+# fraction F/(mu U) of a disc, F/(6 pi mu a U) of a sphere
+ARRAYS = {
+    "square": (((0, 0),), 1, {
+        0.05: 15.5578223, 0.2: 51.526949, 0.4: 217.894315, 0.6: 1763.57311,
+    }),
+    "simple": (((0, 0, 0),), 1, {
+        0.064: 2.810198, 0.216: 7.441954, 0.45: 28.08732,
+    }),
+    "body-centred": (((0, 0, 0), (0.5, 0.5, 0.5)), math.sqrt(0.75), {
+        0.064: 2.889385, 0.216: 7.738778, 0.4: 23.1093,
+    }),
+    "face-centred": (
+        ((0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)),
+        math.sqrt(0.5),
+        {0.064: 2.888753, 0.216: 7.757677, 0.367: 19.33978},
+    ),
+}
+# Of the array from the mesh, in cells
+OFFSET = (0.3, 0.4, 0.2)
+# Cells from its surface to the last cell centre that a body acts on
+BAND = 4.9
+# Time step in h^2/nu, and their number
+STEP, STEPS = 50, 200
+
+
+class Array:
+    """An array on a mesh of about D/h cells per diameter."""
+
+    def __init__(self, lattice, fraction, cells):
+        self.centres, self.distance, drags = ARRAYS[lattice]
+        self.lattice, self.fraction = lattice, fraction
+        self.reference = drags[fraction]
+        self.dims = len(self.centres[0])
+        volume = fraction/len(self.centres)
+        self.radius = (
+            math.sqrt(volume/math.pi) if self.dims == 2
+            else (3*volume/(4*math.pi))**(1/3)
+        )
+        self.n = round(cells/(2*self.radius))
+        self.h = 1/self.n
+        self.D_over_h = round(2*self.radius*self.n, 2)
+        self.gap = (self.distance - 2*self.radius)*self.n
+
+    def images(self):
+        """Centres of all bodies that act on a cell of the box."""
+        reach = self.radius + BAND*self.h
+        for centre in self.centres:
+            start = [x + s*self.h for x, s in zip(centre, OFFSET)]
+            for shift in itertools.product((-1, 0, 1), repeat=self.dims):
+                x = [x + s for x, s in zip(start, shift)]
+                edge = 0.5*self.h
+                beyond = [max(edge - x, x - 1 + edge, 0) for x in x]
+                if math.hypot(*beyond) < reach:
+                    yield (*x, 0)[:3]
+
+    def solve(self, folder):
+        """The run, and the drag after each step."""
+        # The force makes a superficial speed of about 1, where it starts
+        scale = 1
+        if self.dims == 3:
+            scale = 6*math.pi*self.radius*len(self.centres)
+        force = self.reference*scale
+        case = periodic_case(
+            folder, f"{self.lattice}_{self.fraction}_n{self.n}", self.n,
+            self.dims, force,
+        )
+        set_stokes(case)
+        set_viscosity(case, 1)
+        positions = " ".join(
+            "({:.12g} {:.12g} {:.12g})".format(*x) for x in self.images()
+        )
+        case.bodies(f"""
+            body
+            {{
+                shape
+                {{
+                    type {"disc" if self.dims == 2 else "sphere"};
+                    radius {self.radius:.15g};
+                }}
+                positions ({positions});
+                {LOCKED}
+            }}
+        """)
+        dt = STEP*self.h**2
+        case.controls(endTime=f"{STEPS*dt:.12g}", deltaT=f"{dt:.12g}")
+        settings = f"{self.lattice} {self.fraction}"
+        run = Run(case, settings, self.D_over_h, self.n**self.dims)
+        speed = superficial_speed(case, DEPTH if self.dims == 2 else 1)
+        return run, force/scale/speed
+
+
+def sizes(lattice, quick):
+    """Cells per diameter."""
+    if lattice == "square":
+        return (8, 16) if quick else (8, 16, 32)
+    return (8, 12) if quick else (8, 12, 16, 24)
+
+
+def rows(folder, quick):
+    most = 40_000 if quick else 140_000
+    for lattice, (_, _, drags) in ARRAYS.items():
+        for fraction in drags:
+            for cells in sizes(lattice, quick):
+                array = Array(lattice, fraction, cells)
+                if array.n**array.dims > most:
+                    continue
+                run, drag = array.solve(folder)
+                name = "F/(mu U)" if array.dims == 2 else "F/(6 pi mu a U)"
+                yield run.row(name, drag[-1], array.reference)
+                yield run.row("gap/h", array.gap)
+                last = abs(drag[3*len(drag)//4:]/drag[-1] - 1).max()
+                yield run.row("last change, %", 100*last)

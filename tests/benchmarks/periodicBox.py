@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A box of equal cells that repeats itself in all directions, with a uniform
+body force along x."""
+
+import boxMesh
+from bodyCase import BodyCase
+from boxMesh import uniform
+
+SIDES = {
+    "left": "x-", "right": "x+", "bottom": "y-", "top": "y+",
+    "back": "z-", "front": "z+",
+}
+BOUNDARY = """
+    "left|right|bottom|top|back|front" { type cyclic; }
+    "frontAndBack.*" { type empty; }
+"""
+FORCE = """FoamFile
+{{
+    version     2.0;
+    format      ascii;
+    class       dictionary;
+    object      fvOptions;
+}}
+
+force
+{{
+    type            vectorSemiImplicitSource;
+    selectionMode   all;
+    volumeMode      specific;
+    injectionRateSuSp {{ U (({force:.15g} 0 0) 0); }}
+}}
+"""
+FLOW_RATE = """
+    flowRate
+    {
+        type            surfaceFieldValue;
+        libs            (fieldFunctionObjects);
+        regionType      patch;
+        name            right;
+        operation       sum;
+        fields          (phi);
+        writeFields     false;
+        log             false;
+        writePrecision  15;
+    }
+"""
+
+
+def periodic_case(folder, name, cells, dims, force):
+    """A cube, or in 2D a square, of side 1 and of cells^dims cells, in which
+    a fluid of speed 1 is driven by a force [m/s2]."""
+    case = BodyCase("tube", folder, name)
+    side = uniform(0, 1, cells)
+    names = list(SIDES)[:2*dims]
+    boxMesh.write(
+        case, side, side, side if dims == 3 else None,
+        {name: SIDES[name] for name in names},
+    )
+    for one, other in zip(names[::2] + names[1::2], names[1::2] + names[::2]):
+        case.replace(
+            "system/blockMeshDict", f"    {one} {{ type patch;",
+            f"    {one} {{ type cyclic; neighbourPatch {other};",
+        )
+    case.run("blockMesh")
+    for field in ("U", "p"):
+        path = case.path / "0" / field
+        head = path.read_text().split("boundaryField", 1)[0]
+        head = head.replace("uniform (0 0 0)", "uniform (1 0 0)")
+        path.write_text(f"{head}boundaryField\n{{{BOUNDARY}}}\n")
+    (case.path / "constant/fvOptions").write_text(FORCE.format(force=force))
+    case.replace(
+        "system/controlDict", "functions\n{", "functions\n{" + FLOW_RATE
+    )
+    return case
+
+
+def superficial_speed(case, depth=1):
+    """Flow rate per area of the box [m/s] in all time steps."""
+    file = "postProcessing/flowRate/0/surfaceFieldValue.dat"
+    return case.read_dat(file)[:, 1]/depth
