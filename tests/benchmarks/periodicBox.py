@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A box of equal cells that repeats itself in all directions, with a uniform
-body force along x."""
+"""A box of equal cells that repeats itself in all directions, with a
+pressure that falls along x."""
 
 import boxMesh
 from bodyCase import BodyCase
@@ -13,6 +13,16 @@ SIDES = {
 BOUNDARY = """
     "left|right|bottom|top|back|front" { type cyclic; }
     "frontAndBack.*" { type empty; }
+"""
+JUMP = """
+    left
+    {{
+        type        fixedJump;
+        patchType   cyclic;
+        jump        uniform {jump:.15g};
+        value       uniform 0;
+    }}
+    right   {{ $left; }}
 """
 FORCE = """FoamFile
 {{
@@ -46,9 +56,20 @@ FLOW_RATE = """
 """
 
 
-def periodic_case(folder, name, cells, dims, force):
-    """A cube, or in 2D a square, of side 1 and of cells^dims cells, in which
-    a fluid of speed 1 is driven by a force [m/s2]."""
+def set_fields(case, gradient):
+    """Boundary conditions and the fall of the pressure; initial speed 1."""
+    for field in ("U", "p"):
+        path = case.path / "0" / field
+        head = path.read_text().split("boundaryField", 1)[0]
+        head = head.replace("uniform (0 0 0)", "uniform (1 0 0)")
+        jump = JUMP.format(jump=-gradient) if field == "p" else ""
+        path.write_text(f"{head}boundaryField\n{{{BOUNDARY}{jump}}}\n")
+
+
+def periodic_case(folder, name, cells, dims, gradient, by_force=False):
+    """A cube, or in 2D a square, of side 1 and of cells^dims cells, with a
+    flow that a mean pressure gradient over density [m/s2] drives, by_force: a
+    body force of that size."""
     case = BodyCase("tube", folder, name)
     side = uniform(0, 1, cells)
     names = list(SIDES)[:2*dims]
@@ -62,12 +83,10 @@ def periodic_case(folder, name, cells, dims, force):
             f"    {one} {{ type cyclic; neighbourPatch {other};",
         )
     case.run("blockMesh")
-    for field in ("U", "p"):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        head = head.replace("uniform (0 0 0)", "uniform (1 0 0)")
-        path.write_text(f"{head}boundaryField\n{{{BOUNDARY}}}\n")
-    (case.path / "constant/fvOptions").write_text(FORCE.format(force=force))
+    set_fields(case, 0 if by_force else gradient)
+    if by_force:
+        file = case.path / "constant/fvOptions"
+        file.write_text(FORCE.format(force=gradient))
     case.replace(
         "system/controlDict", "functions\n{", "functions\n{" + FLOW_RATE
     )

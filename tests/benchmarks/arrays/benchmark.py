@@ -29,6 +29,8 @@ ARRAYS = {
 OFFSET = (0.3, 0.4, 0.2)
 # Cells from its surface to the last cell centre that a body acts on
 BAND = 4.9
+# Driven by a body force, too
+BY_FORCE = (("square", 0.2), ("simple", 0.216))
 # Time step in h^2/nu, and their number
 STEP, STEPS = 50, 200
 
@@ -63,16 +65,18 @@ class Array:
                 if math.hypot(*beyond) < reach:
                     yield (*x, 0)[:3]
 
-    def solve(self, folder):
+    def solve(self, folder, by_force):
         """The run, and the drag after each step."""
-        # The force makes a superficial speed of about 1, where it starts
+        # The gradient makes a superficial speed of about 1, where it starts
         scale = 1
         if self.dims == 3:
             scale = 6*math.pi*self.radius*len(self.centres)
-        force = self.reference*scale
+        gradient = self.reference*scale
+        settings = f"{self.lattice} {self.fraction}"
+        settings += " body force" if by_force else ""
         case = periodic_case(
-            folder, f"{self.lattice}_{self.fraction}_n{self.n}", self.n,
-            self.dims, force,
+            folder, f"{settings.replace(' ', '_')}_n{self.n}", self.n,
+            self.dims, gradient, by_force,
         )
         set_stokes(case)
         set_viscosity(case, 1)
@@ -93,10 +97,9 @@ class Array:
         """)
         dt = STEP*self.h**2
         case.controls(endTime=f"{STEPS*dt:.12g}", deltaT=f"{dt:.12g}")
-        settings = f"{self.lattice} {self.fraction}"
         run = Run(case, settings, self.D_over_h, self.n**self.dims)
         speed = superficial_speed(case, DEPTH if self.dims == 2 else 1)
-        return run, force/scale/speed
+        return run, gradient/scale/speed
 
 
 def sizes(lattice, quick):
@@ -106,17 +109,26 @@ def sizes(lattice, quick):
     return (8, 12) if quick else (8, 12, 16, 24)
 
 
+def figures(array, folder, by_force=False):
+    """Rows of one array."""
+    run, drag = array.solve(folder, by_force)
+    name = "F/(mu U)" if array.dims == 2 else "F/(6 pi mu a U)"
+    yield run.row(name, drag[-1], array.reference)
+    yield run.row("gap/h", array.gap)
+    last = abs(drag[3*len(drag)//4:]/drag[-1] - 1).max()
+    yield run.row("last change, %", 100*last)
+
+
 def rows(folder, quick):
-    most = 40_000 if quick else 140_000
+    most = 20_000 if quick else 140_000
     for lattice, (_, _, drags) in ARRAYS.items():
         for fraction in drags:
             for cells in sizes(lattice, quick):
                 array = Array(lattice, fraction, cells)
-                if array.n**array.dims > most:
-                    continue
-                run, drag = array.solve(folder)
-                name = "F/(mu U)" if array.dims == 2 else "F/(6 pi mu a U)"
-                yield run.row(name, drag[-1], array.reference)
-                yield run.row("gap/h", array.gap)
-                last = abs(drag[3*len(drag)//4:]/drag[-1] - 1).max()
-                yield run.row("last change, %", 100*last)
+                if array.n**array.dims <= most:
+                    yield from figures(array, folder)
+
+    for lattice, fraction in BY_FORCE:
+        for cells in sizes(lattice, True):
+            array = Array(lattice, fraction, cells)
+            yield from figures(array, folder, by_force=True)
