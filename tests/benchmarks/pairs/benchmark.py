@@ -68,7 +68,7 @@ def rows(folder, quick):
     for name, (_, _, _, references) in PAIRS.items():
         # Across the tube they may hardly move
         scale = max(abs(V_y) for _, V_y, _ in references)
-        for cells in (8, 16) if quick else (8, 16, 32):
+        for cells in (8, 16) if quick else (8, 16, 24):
             case, run = solve(folder, name, cells)
             for body, (V_x, V_y, spin) in enumerate(references):
                 disc = f"of disc {body + 1}"
