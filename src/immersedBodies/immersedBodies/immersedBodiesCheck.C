@@ -52,9 +52,11 @@ void Foam::immersedBodies::checkInside() const
     // cyclic patch or a plane of symmetry cuts
     forAll(bodies_, bodyi)
     {
-        found[bodyi] = bodies_[bodyi].isFixed()
-          ? !region_.region(bodyi).cells.empty()
-          : mesh_.findCell(bodies_[bodyi].state().position) >= 0;
+        const immersedBody& body = bodies_[bodyi];
+
+        found[bodyi] =
+            mesh_.findCell(body.state().position) >= 0
+         || (body.isFixed() && !region_.region(bodyi).cells.empty());
     }
 
     compat::allReduce(found, maxEqOp<label>());
