@@ -16,6 +16,8 @@ PERIOD = 2*math.pi*(ASPECT + 1/ASPECT)/SHEAR
 NU = 100
 # Time steps per period in 2D, 3D
 STEPS = {2: 200, 3: 80}
+# To convergence: with ten iterations the angle lags by 3 degrees at D/h 16
+COUPLING = "coupling { nOuterCorrectors 40; }"
 # Angle from which half a turn is timed
 START = 0.1
 SIDES = {"inlet": "x-", "outlet": "x+", "walls": "y- y+ z- z+"}
@@ -67,7 +69,7 @@ def solve(folder, dims, cells, box):
             velocity    (0 0 0);
             angularVelocity (0 0 {-SHEAR/(ASPECT**2 + 1)});
         }}
-    """)
+    """, COUPLING)
     case.controls(
         endTime=f"{0.6*PERIOD:.12g}", deltaT=f"{PERIOD/STEPS[dims]:.12g}"
     )
