@@ -81,10 +81,9 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         // Two previous levels, to extrapolate from
         p_.oldTime().oldTime();
     }
-    if (bodies_->anyFree())
+    if (!stokes_)
     {
-        // For steps that are repeated
-        phi_.oldTime();
+        phi_.oldTime().oldTime();
     }
 
     if (!functionObject::postProcess)

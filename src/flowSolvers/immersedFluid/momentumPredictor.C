@@ -58,6 +58,21 @@ void Foam::flowSolvers::immersedFluid::separateForce(fvVectorMatrix& eqn)
 }
 
 
+void Foam::flowSolvers::immersedFluid::extrapolateFlux()
+{
+    // With the flux of the last time step a step of one iteration would be of
+    // first order; the first step of a run has nothing to extrapolate from
+    if (!stokes_ && runTime_.timeIndex() > 1)
+    {
+        const scalar ratio =
+            runTime_.deltaTValue()/runTime_.deltaT0Value();
+        const surfaceScalarField& phi0 = phi_.oldTime();
+
+        phi_ = phi0 + ratio*(phi0 - phi0.oldTime());
+    }
+}
+
+
 Foam::tmp<Foam::vectorField>
 Foam::flowSolvers::immersedFluid::drive() const
 {
@@ -111,6 +126,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     if (outer_ == 1)
     {
+        extrapolateFlux();
         extrapolatePressure();
     }
 
