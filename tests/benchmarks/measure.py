@@ -34,14 +34,47 @@ def set_viscosity(case, nu):
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
 
 
-class Run:
+class Result:
+    """What came out of one run, by whatever solver, in rows."""
+
+    def __init__(
+        self, settings, D_over_h, cells, steps=0, cpu=0.0, solver=None
+    ):
+        self.settings = settings
+        self.D_over_h = D_over_h
+        self.cells = cells
+        self.steps = steps
+        self.cpu = cpu
+        self.solver = {"solver": solver} if solver else {}
+
+    def row(self, quantity, value, reference=None, error=None):
+        """A row; error [%] where it is not that relative to reference."""
+        if error is None and reference:
+            error = 100*(value/reference - 1)
+        return {
+            **self.solver,
+            "settings": self.settings,
+            "D_over_h": self.D_over_h,
+            "cells": self.cells,
+            "steps": self.steps,
+            "cpu_s": self.cpu,
+            "quantity": quantity,
+            "value": value if value is None else float(value),
+            "reference": reference,
+            "error_percent": error if error is None else float(error),
+        }
+
+    def diverged(self):
+        """A row instead of figures: the step at which the run failed."""
+        return self.row("diverged at step", self.steps + 1)
+
+
+class Run(Result):
     """A run of the solver: its log in numbers. A run that may fail is asked
     for `failed` afterwards."""
 
     def __init__(self, case, settings, D_over_h, cells, may_fail=False):
-        self.settings = settings
-        self.D_over_h = D_over_h
-        self.cells = cells
+        super().__init__(settings, D_over_h, cells)
         self.failed = False
         try:
             case.solve()
@@ -54,24 +87,5 @@ class Run:
         progress = re.findall(r"outer iterations (\d+)( \(not conv)?", log)
         self.cpu = float(times[-1]) if times else 0.0
         self.outers = [int(number) for number, _ in progress]
+        self.steps = len(self.outers)
         self.converged = sum(not failed for _, failed in progress)
-
-    def row(self, quantity, value, reference=None, error=None):
-        """A row; error [%] where it is not that relative to reference."""
-        if error is None and reference:
-            error = 100*(value/reference - 1)
-        return {
-            "settings": self.settings,
-            "D_over_h": self.D_over_h,
-            "cells": self.cells,
-            "steps": len(self.outers),
-            "cpu_s": self.cpu,
-            "quantity": quantity,
-            "value": value if value is None else float(value),
-            "reference": reference,
-            "error_percent": error if error is None else float(error),
-        }
-
-    def diverged(self):
-        """A row instead of figures: the step at which the run failed."""
-        return self.row("diverged at step", len(self.outers) + 1)

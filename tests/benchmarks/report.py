@@ -4,11 +4,14 @@
 import csv
 import importlib.util
 
+from plot import plot
+
 COLUMNS = (
     "case", "solver", "settings", "D_over_h", "cells", "steps", "cpu_s",
     "quantity", "value", "reference", "error_percent",
 )
 WIDTHS = {
+    "solver": 20,
     "settings": 34, "D_over_h": 8, "cells": 8, "steps": 6, "cpu_s": 8,
     "quantity": 18, "value": 14, "reference": 14, "error_percent": 14,
 }
@@ -64,30 +67,4 @@ class Report:
             writer.writerow(COLUMNS)
             for row in self.rows:
                 writer.writerow([text(row[name]) for name in COLUMNS])
-        self.plot()
-
-    def plot(self):
-        """Error against run time, a line for each quantity and setting."""
-        lines = {}
-        for row in self.rows:
-            if row["error_percent"]:
-                key = f"{row['quantity']}, {row['settings']}"
-                point = row["cpu_s"], abs(row["error_percent"])
-                lines.setdefault(key, []).append(point)
-        if not lines:
-            return
-
-        import matplotlib
-        matplotlib.use("Agg")
-        from matplotlib import pyplot
-
-        figure, axes = pyplot.subplots(figsize=(8, 5), layout="constrained")
-        for key, points in lines.items():
-            axes.loglog(*zip(*sorted(points)), "o-", label=key)
-        axes.set_xlabel("run time [s]")
-        axes.set_ylabel("|error| [%]")
-        axes.set_title(self.name)
-        axes.grid(True, which="both", alpha=0.3)
-        axes.legend(fontsize=6, loc="center left", bbox_to_anchor=(1, 0.5))
-        figure.savefig(self.folder / f"{self.name}.png", dpi=150)
-        pyplot.close(figure)
+        plot(self.rows, self.name, self.folder / f"{self.name}.png")

@@ -4,6 +4,8 @@
 from bodyCase import BodyCase
 from boxMesh import graded, uniform
 from measure import DEPTH, Run
+from peers import freefem
+from peers.bodyFitted import FittedCase
 
 C_D, C_L, DP = 5.57953523384, 0.010618948146, 0.11752016697
 SPEED, DIAMETER = 0.2, 0.1
@@ -25,7 +27,40 @@ def add_probes(case):
     }}""")
 
 
+def figures(result, drag, lift, dp):
+    """Rows of one run from its forces per unit depth and density."""
+    scale = 2/(SPEED**2*DIAMETER)
+    yield result.row("C_D", scale*drag, C_D)
+    yield result.row("C_L", scale*lift, C_L)
+    yield result.row("dp", dp, DP)
+
+
+def finite_elements(quick):
+    """Rows of body-fitted and of penalised finite elements."""
+    for solver, fitted, edges in (
+        (freefem.FITTED, 1, (20, 40, 80) if quick else (20, 40, 80, 160)),
+        (freefem.PENALISED, 0, (10, 20) if quick else (10, 20, 40)),
+    ):
+        for result, numbers in freefem.results(
+            solver, "heldCylinder.edp", (fitted,), "steady", edges
+        ):
+            yield from figures(result, *(
+                numbers[name] for name in ("drag", "lift", "dp")
+            ))
+
+
+def body_fitted(folder, quick):
+    """Rows of simpleFoam on a mesh fitted to the cylinder."""
+    for n in (12, 24, 48) if quick else (12, 24, 48, 64):
+        case = FittedCase(folder, f"fitted{n}", n)
+        result = case.solve("simpleFoam", "steady")
+        if result:
+            yield from figures(result, *(x[-1] for x in case.history()[1:]))
+
+
 def rows(folder, quick):
+    yield from finite_elements(quick)
+    yield from body_fitted(folder, quick)
     for cells in (10, 20) if quick else (10, 20, 40):
         h = DIAMETER/cells
         case = BodyCase("cylinder", folder, f"D{cells}")
@@ -38,8 +73,8 @@ def rows(folder, quick):
         run = Run(case, "steady", cells, n)
 
         forces = case.table("forces")
-        scale = 2/(SPEED**2*DIAMETER*DEPTH)
-        yield run.row("C_D", scale*forces["fluidForce_x"][-1], C_D)
-        yield run.row("C_L", scale*forces["fluidForce_y"][-1], C_L)
         p = case.read_dat("postProcessing/pressure/0/p")[-1]
-        yield run.row("dp", p[1] - p[2], DP)
+        yield from figures(
+            run, forces["fluidForce_x"][-1]/DEPTH,
+            forces["fluidForce_y"][-1]/DEPTH, p[1] - p[2],
+        )

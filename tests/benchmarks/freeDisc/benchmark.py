@@ -4,6 +4,7 @@
 from bodyCase import BodyCase
 from boxMesh import graded
 from measure import DEPTH, Run, around, set_viscosity
+from peers import freefem
 
 RADIUS = 0.065
 
@@ -45,7 +46,28 @@ def solve(folder, Re, cells, offset, ratio, settings):
     return case, Run(case, settings, cells, n, may_fail=True)
 
 
+def peers(quick):
+    """Rows of other methods: body-fitted and penalised finite elements."""
+    for Re in (2, 40):
+        y, speed, spin, lift, _ = REFERENCES[Re]
+        cases = [
+            (freefem.FITTED, "freeDisc.edp",
+             (20, 40) if quick else (20, 40, 80)),
+        ]
+        if Re == 2:
+            cases += [(freefem.PENALISED, "freeDiscPenalised.edp",
+                       (8, 16) if quick else (8, 16, 32))]
+        for solver, script, edges in cases:
+            for result, numbers in freefem.results(
+                solver, script, (Re, y), f"Re {Re}", edges
+            ):
+                yield result.row("V_x", numbers["V_x"], speed)
+                yield result.row("spin", numbers["spin"], spin)
+                yield result.row("lift", numbers["lift"], lift)
+
+
 def rows(folder, quick):
+    yield from peers(quick)
     for Re, (_, speed, spin, lift, _) in REFERENCES.items():
         for cells in (8, 16) if quick or Re > 2 else (8, 16, 32):
             for offset in OFFSETS:
