@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against run time: a panel for each quantity, a colour for each solver.
-"""
+"""Error against run time: a panel for each quantity, a colour for each solver,
+a marker for each of its settings."""
 
 import itertools
 import math
@@ -28,11 +28,10 @@ def styles(keys):
     """Keywords of plot by (solver, settings)."""
     peers = dict.fromkeys(solver for solver, _ in keys if solver != OURS)
     colours = dict(zip(peers, itertools.cycle(COLOURS)), **{OURS: "tab:blue"})
-    taken = dict.fromkeys(colours, 0)
+    names = list(dict.fromkeys(settings for _, settings in keys))
     found = {}
     for solver, settings in keys:
-        i = taken[solver]
-        taken[solver] += 1
+        i = names.index(settings)
         found[solver, settings] = {
             "color": colours[solver],
             "marker": MARKERS[i % len(MARKERS)],
