@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Velocity of a sphere that settles in a closed box, against experiment."""
+
+from pathlib import Path
+
+import numpy as np
+
+from bodyCase import BodyCase
+from boxMesh import graded
+from measure import Run
+
+# Densities [kg/m3] of fluid and sphere, viscosity [Pa s], largest velocity
+# measured [m/s], time to a gap of about half a diameter [s]
+CASES = {
+    "E1": (970, 1120, 0.373, 0.947*0.038, 3.5),
+    "E2": (965, 1120, 0.212, 0.953*0.060, 2.2),
+    "E3": (962, 1120, 0.113, 0.959*0.091, 1.5),
+    "E4": (960, 1120, 0.058, 0.955*0.128, 1.15),
+}
+
+# Case, D/h, Courant number
+QUICK = (("E4", 8, 0.5),)
+FULL = (*((name, 8, 0.5) for name in CASES), ("E4", 10, 0.5))
+DIAMETER, GAP, WIDTH, HEIGHT = 0.015, 0.120, 0.100, 0.160
+GRAVITY = 9.81
+
+PLOT = Path(__file__).resolve().parent.parent / "results/tenCate_curves.png"
+
+
+def mesh(case, cells):
+    """Cubic cells along the way of the sphere; number of cells."""
+    h = DIAMETER/cells
+    top = h*round((0.5*DIAMETER + GAP + 0.9*DIAMETER)/h)
+    core = h*round(0.9*DIAMETER/h)
+    across = graded(-0.5*WIDTH, 0.5*WIDTH, (-core, core), h)
+    return case.mesh(across, across, graded(0, HEIGHT, (0, top), h))
+
+
+def solve(folder, name, cells, courant):
+    """Times, gaps over the diameter, velocities [m/s] and the run."""
+    rho, rho_s, mu, fastest, end = CASES[name]
+    case = BodyCase("box", folder, f"{name}_D{cells}_Co{courant}")
+    n = mesh(case, cells)
+    case.replace(
+        "constant/transportProperties", "0.1;", f"{mu/rho:.12g};"
+    )
+    case.replace("constant/g", "(0 0 -1)", f"(0 0 -{GRAVITY})")
+    case.bodies(f"""
+        sphere
+        {{
+            shape       {{ type sphere; radius {0.5*DIAMETER}; }}
+            densityRatio {rho_s/rho:.12g};
+            position    (0 0 {0.5*DIAMETER + GAP});
+        }}
+    """)
+    dt = courant*DIAMETER/cells/fastest
+    case.controls(endTime=f"{end}", deltaT=f"{dt:.6g}")
+    run = Run(case, f"{name} Courant {courant}", cells, n, may_fail=True)
+    motion = case.table("motion")
+    gap = motion["position_z"]/DIAMETER - 0.5
+    return motion["time"], gap, -motion["velocity_z"], run
+
+
+def plot(curves):
+    """Gap and velocity against time, a line for each run."""
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(
+        1, 2, figsize=(11, 4.5), layout="constrained"
+    )
+    for label, (time, gap, speed) in curves.items():
+        axes[0].plot(time, gap, label=label)
+        axes[1].plot(time, -speed)
+    axes[0].set_ylabel("gap / diameter")
+    axes[1].set_ylabel("velocity [m/s]")
+    for ax in axes:
+        ax.set_xlabel("time [s]")
+        ax.grid(alpha=0.3)
+    axes[0].legend(fontsize=7)
+    PLOT.parent.mkdir(exist_ok=True)
+    figure.savefig(PLOT, dpi=150)
+    pyplot.close(figure)
+
+
+def rows(folder, quick):
+    curves = {}
+    for name, cells, courant in QUICK if quick else FULL:
+        time, gap, speed, run = solve(folder, name, cells, courant)
+        if run.failed:
+            yield run.diverged()
+            continue
+        curves[f"{run.settings} D/h {cells}"] = time, gap, speed
+        yield run.row("V max, m/s", speed.max(), CASES[name][3])
+        yield run.row("gap/D at V max", gap[speed.argmax()])
+        yield run.row("V, m/s, at gap/D 0.5", np.interp(-0.5, -gap, speed))
+    plot(curves)
