@@ -143,7 +143,10 @@ class StabilityRun(Run):
         self.jitter = np.sqrt(np.mean(bend[-6:]**2))
         if self.jitter > 1 or self.fastest > 10:
             self.reason = f"velocity up to {self.fastest:.3g} times the " \
-                f"flow's, changing by {self.jitter:.2g} in each of the last"
+                f"flow's, last changes from step to step {self.jitter:.2g}"
+            fast = np.abs(motion).max(axis=1) > FAST
+            if fast.any():
+                self.outers = self.outers[:np.argmax(fast)]
 
     def faults(self):
         """Marks in the map: X diverged, O overshoots, ~ jitters, number of
