@@ -36,31 +36,15 @@ PATCHES = {
 }
 
 
-<<<<<<< HEAD
-def course(motion):
+def course(shape, motion):
     """Direction of motion and start."""
     direction = np.array(DIRECTIONS.get(motion, (1, 0)), dtype=float)
     direction /= np.linalg.norm(direction)
-    start = -0.5*(FROM + TO)*direction if motion in DIRECTIONS else (0, 0)
+    way = sum(TIMES[shape])
+    start = -0.5*way*direction if motion in DIRECTIONS else (0, 0)
     return direction, start
 
 
-def background(h):
-    """Directions of the mesh."""
-    return (
-        graded(-16, 16, (-40*h, 16*h), h),
-        graded(-16, 16, (-20*h, 12*h), h),
-    )
-
-
-def solve(folder, Re, courant, motion):
-    """Drag along the direction of motion per unit depth at t, and the run."""
-    h = 1/CELLS
-    direction, start = course(motion)
-    case = BodyCase("tube", folder, f"{motion}_Re{Re}_Co{courant}")
-    set_profile(case, "1.5*(1 - sqr(pos().y()))", "0")
-    n = case.mesh(*background(h))
-=======
 def make_case(folder, shape, name):
     """A box of fluid at rest, and its number of cells."""
     case = BodyCase("tube", folder, name)
@@ -77,14 +61,9 @@ def make_case(folder, shape, name):
 
 def solve(folder, shape, Re, courant, motion):
     """Drag along the direction of motion at t, and the run."""
-    direction = np.array(DIRECTIONS.get(motion, (1, 0)), dtype=float)
-    direction /= np.linalg.norm(direction)
-    way = sum(TIMES[shape])
-    start = -0.5*way*direction if motion in DIRECTIONS else (0, 0)
-
+    direction, start = course(shape, motion)
     settings = f"{shape} Re {Re} Courant {courant} {motion}"
     case, n = make_case(folder, shape, settings.replace(" ", "_"))
->>>>>>> 90764f5 (gridNoise: a sphere beside the disc)
     set_viscosity(case, 1/Re)
     case.bodies(
         f"""
@@ -111,36 +90,29 @@ def solve(folder, shape, Re, courant, motion):
     return forces["time"], -force @ direction/part, run
 
 
-<<<<<<< HEAD
 def solve_overset(folder, Re, courant, motion):
-    """As solve, by an overset mesh on the same background."""
+    """As solve, for the disc by an overset mesh on the same background."""
     if not installed(overset.SOLVER, overset.SOLVER):
         return None, None
-    h = 1/CELLS
-    direction, start = course(motion)
+    direction, start = course("disc", motion)
     case = overset.OversetCase(
-        folder, f"overset_Re{Re}_Co{courant}", *background(h), start, CELLS
+        folder, f"overset_Re{Re}_Co{courant}", *MESHES["disc"], start, CELLS
     )
     set_viscosity(case, 1/Re)
     case.replace(
         "constant/dynamicMeshDict", "velocity (1 0 0)",
         "velocity ({:.12g} {:.12g} 0)".format(*direction),
     )
-    case.controls(endTime=f"{TO}", deltaT=f"{courant*h:.6g}")
-    run = case.solve(f"Re {Re} Courant {courant} {motion}", CELLS)
+    case.controls(endTime=f"{TIMES['disc'][1]}", deltaT=f"{courant*H:.6g}")
+    run = case.solve(f"disc Re {Re} Courant {courant} {motion}", CELLS)
     _, force = case.history()
     return -force @ direction, run
 
 
-def compare(time, drag, still):
-    """Noise and bias of the drag [%], relative to the mean of still."""
-    part = time > FROM
-=======
 def compare(time, drag, still, start):
     """Noise and bias of the drag [%] from start on, relative to the mean of
     still; mean drag."""
     part = time > start
->>>>>>> 90764f5 (gridNoise: a sphere beside the disc)
     difference = (drag - still)[part]/still[part].mean()
     trend = np.polyval(np.polyfit(time[part], difference, 2), time[part])
     return (
@@ -149,14 +121,11 @@ def compare(time, drag, still, start):
     )
 
 
-def figures(run, time, drag, still):
+def figures(shape, run, time, drag, still):
     """Rows of a run that moves, against one that does not."""
-    noise, bias = compare(time, drag, still)
-    part = time > FROM
+    noise, bias, mean, reference = compare(time, drag, still, TIMES[shape][0])
     yield run.row("noise, % rms", noise, error=noise)
-    yield run.row(
-        "drag", drag[part].mean(), float(still[part].mean()), error=bias
-    )
+    yield run.row("drag", mean, float(reference), error=bias)
 
 
 def rows(folder, quick):
@@ -171,15 +140,8 @@ def rows(folder, quick):
                 if run.failed:
                     yield run.diverged()
                     continue
-<<<<<<< HEAD
-                yield from figures(run, time, drag, still)
-            drag, run = solve_overset(folder, Re, courant, "oblique")
-            if run:
-                yield from figures(run, time, drag, still)
-=======
-                noise, bias, mean, reference = compare(
-                    time, drag, still, TIMES[shape][0]
-                )
-                yield run.row("noise, % rms", noise, error=noise)
-                yield run.row("drag", mean, float(reference), error=bias)
->>>>>>> 90764f5 (gridNoise: a sphere beside the disc)
+                yield from figures(shape, run, time, drag, still)
+            if shape == "disc":
+                drag, run = solve_overset(folder, Re, courant, "oblique")
+                if run:
+                    yield from figures(shape, run, time, drag, still)
