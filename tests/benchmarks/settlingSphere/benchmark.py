@@ -8,7 +8,7 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_viscosity
+from measure import Run, set_symmetry, set_viscosity
 
 RATIO, GALILEI, WIDTH = 2.56, 49, 7.5
 SCALE = math.sqrt(RATIO - 1)    # sqrt((r - 1) g D), g = D = 1
@@ -33,7 +33,13 @@ P = """
     outlet  { type fixedValue; value uniform 0; }
     sides   { type slip; }
 """
-PATCHES = {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"}
+PATCHES = {
+    True: {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"},
+    False: {
+        "inlet": "x+", "outlet": "x-", "sides": "y+ z+",
+        "middleY": "y-", "middleZ": "z-",
+    },
+}
 GRAVITY = """FoamFile
 {
     version     2.0;
@@ -60,7 +66,9 @@ def make_mesh(case, h, ahead, behind, whole):
     side, core = 0.5*WIDTH, h*round(0.9/h)
     across = graded(-side*whole, side, (-core*whole, core), h)
     along = graded(-behind, ahead, (-h*round(1.2/h), core), h)
-    n = boxMesh.write(case, along, across, across, PATCHES)
+    n = boxMesh.write(case, along, across, across, PATCHES[whole])
+    for plane in () if whole else ("middleY", "middleZ"):
+        set_symmetry(case, plane)
     case.run("blockMesh")
     return n
 
@@ -69,21 +77,18 @@ def solve(folder, name, cells, ahead, behind, courant, end, whole=False):
     """Velocity over sqrt((r - 1) g D) by time step, and the run."""
     h = 1/cells
     case = BodyCase("tube", folder, f"{name}_D{cells}".replace(" ", "_"))
-    n = make_mesh(case, h, ahead, behind, whole)
     set_boundaries(case)
+    n = make_mesh(case, h, ahead, behind, whole)
     set_viscosity(case, SCALE/GALILEI)
     (case.path / "constant/g").write_text(GRAVITY)
-    # The weight of the part that is in the mesh, as is the load
-    part = 1 if whole else 0.25
-    held = "" if whole else "constraints { translate (1 0 0); rotate (0 0 0); }"
     case.bodies(f"""
         sphere
         {{
             shape       {{ type sphere; radius 0.5; }}
-            densityRatio {1 + part*(RATIO - 1)};
+            densityRatio {RATIO};
             position    (0 0 0);
             velocity    ({COMPUTED*SCALE:.6g} 0 0);
-            {held}
+            angularVelocity (0 0 0);
         }}
     """, "window { type comoving; direction (1 0 0); }")
     case.controls(

@@ -5,9 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
+import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run
+from measure import Run, set_symmetry
 
 # Densities [kg/m3] of fluid and sphere, viscosity [Pa s], largest velocity
 # measured [m/s], time to a gap of about half a diameter [s]
@@ -18,29 +19,45 @@ CASES = {
     "E4": (960, 1120, 0.058, 0.955*0.128, 1.1),
 }
 
-# Case, D/h, Courant number
-QUICK = (("E4", 8, 0.5),)
-FULL = (*((name, 8, 0.5) for name in CASES), ("E4", 10, 0.5))
+# Case, D/h, whole or a quarter of the box
+QUICK = (("E4", 8, False),)
+FULL = (
+    *((name, 8, False) for name in CASES), ("E4", 8, True),
+    *((name, 10, False) for name in CASES), ("E4", 16, False),
+)
+COURANT = 0.5
 DIAMETER, GAP, WIDTH, HEIGHT = 0.015, 0.120, 0.100, 0.160
 GRAVITY = 9.81
 
 PLOT = Path(__file__).resolve().parent.parent / "results/tenCate_curves.png"
 
 
-def mesh(case, cells):
+def mesh(case, cells, whole):
     """Cubic cells along the way of the sphere; number of cells."""
     h = DIAMETER/cells
     top = h*round((0.5*DIAMETER + GAP + 0.9*DIAMETER)/h)
     core = h*round(0.9*DIAMETER/h)
-    across = graded(-0.5*WIDTH, 0.5*WIDTH, (-core, core), h)
-    return case.mesh(across, across, graded(0, HEIGHT, (0, top), h))
+    along = graded(0, HEIGHT, (0, top), h)
+    if whole:
+        across = graded(-0.5*WIDTH, 0.5*WIDTH, (-core, core), h)
+        return case.mesh(across, across, along)
+
+    across = graded(0, 0.5*WIDTH, (0, core), h)
+    n = boxMesh.write(case, across, across, along, {
+        "walls": "x+ y+ z- z+", "middleX": "x-", "middleY": "y-",
+    })
+    for plane in ("middleX", "middleY"):
+        set_symmetry(case, plane)
+    case.run("blockMesh")
+    return n
 
 
-def solve(folder, name, cells, courant):
+def solve(folder, name, cells, whole):
     """Times, gaps over the diameter, velocities [m/s] and the run."""
     rho, rho_s, mu, fastest, end = CASES[name]
-    case = BodyCase("box", folder, f"{name}_D{cells}_Co{courant}")
-    n = mesh(case, cells)
+    part = "whole" if whole else "quarter"
+    case = BodyCase("box", folder, f"{name}_D{cells}_{part}")
+    n = mesh(case, cells, whole)
     case.replace(
         "constant/transportProperties", "0.1;", f"{mu/rho:.12g};"
     )
@@ -53,9 +70,9 @@ def solve(folder, name, cells, courant):
             position    (0 0 {0.5*DIAMETER + GAP});
         }}
     """)
-    dt = courant*DIAMETER/cells/fastest
+    dt = COURANT*DIAMETER/cells/fastest
     case.controls(endTime=f"{end}", deltaT=f"{dt:.6g}")
-    run = Run(case, f"{name} Courant {courant}", cells, n, may_fail=True)
+    run = Run(case, f"{name} {part}", cells, n, may_fail=True)
     motion = case.table("motion")
     gap = motion["position_z"]/DIAMETER - 0.5
     return motion["time"], gap, -motion["velocity_z"], run
@@ -86,8 +103,8 @@ def plot(curves):
 
 def rows(folder, quick):
     curves = {}
-    for name, cells, courant in QUICK if quick else FULL:
-        time, gap, speed, run = solve(folder, name, cells, courant)
+    for name, cells, whole in QUICK if quick else FULL:
+        time, gap, speed, run = solve(folder, name, cells, whole)
         if run.failed:
             yield run.diverged()
             continue

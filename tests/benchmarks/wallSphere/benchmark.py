@@ -88,8 +88,7 @@ def solve(folder, height, cells):
     case.controls(endTime=f"{END}", deltaT=f"{STEP}")
     run = Run(case, f"L/D {height}", cells, total)
     forces = case.table("forces")
-    # Half a sphere, cut by the plane z = 0
-    area = 0.5*math.pi/4
+    area = math.pi/4
     return run, {
         "C_D": forces["fluidForce_x"]/(0.5*area),
         "C_L": forces["fluidForce_y"]/(0.5*area),
