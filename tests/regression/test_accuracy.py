@@ -169,8 +169,8 @@ def test_free_disc_in_a_comoving_window(offset, compare, tmp_path):
     h = 2*radius/8
     case = BodyCase("tube", tmp_path)
     case.mesh(
-        graded(-3, 3, around(0, 4*radius, h, offset[0]), h),
-        graded(-1, 1, around(y, 4*radius, h, offset[1]), h),
+        graded(-3, 3, around(0, 6.4*radius, h, offset[0]), h, 1.04),
+        graded(-1, 1, around(y, 6.4*radius, h, offset[1]), h, 1.04),
     )
     case.bodies(f"""
         disc
@@ -188,13 +188,10 @@ def test_free_disc_in_a_comoving_window(offset, compare, tmp_path):
     motion, forces = case.table("motion"), case.table("forces")
     assert motion["position_x"][-1] > 40*2*radius
     assert np.abs(motion["windowPosition_x"]).max() < 1e-12
-    # The lift is a thousandth of the drag, and as sensitive to where the disc
-    # is in its cell: only where the mesh is symmetric about it
-    lift = ("lift", forces["fluidForce_y"]/DEPTH, -1.019145e-3, 3e-2)
     for name, values, reference, tolerance in (
-        ("V_x", motion["velocity_x"], 1.36128741, 1e-3),
-        ("spin", motion["angularVelocity_z"], -0.44864746, 1e-3),
-        *([lift] if offset == (0, 0) else []),
+        ("V_x", motion["velocity_x"], 1.36128741, 4e-4),
+        ("spin", motion["angularVelocity_z"], -0.44864746, 4e-4),
+        ("lift", forces["fluidForce_y"]/DEPTH, -1.019145e-3, 2e-2),
     ):
         compare(
             f"free disc in a comoving window, {name}, D/h 8, offset {offset}",

@@ -92,7 +92,7 @@ Foam::immersedBodies::immersedBodies
         space_,
         dict.subOrEmptyDict("resistance"),
         bodies_.size(),
-        moving_ && !window_.comoving()
+        moving_
     ),
     proximity_(mesh),
     nParts_(bodies_.size(), 1),

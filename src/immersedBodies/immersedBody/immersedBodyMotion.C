@@ -131,9 +131,9 @@ bool Foam::immersedBody::isLight
 {
     // Without the momentum of the fluid inside, time steps have been seen to
     // amplify spin where less than about 0.4 of the inertia is left (disc of
-    // four cells, r = 0.5), or r is small whatever is left (r = 0.1)
+    // four cells, r = 0.5), or r is below 0.4 whatever is left
     return
-        densityRatio_ < 0.75
+        densityRatio_ < 0.45
      || response + (densityRatio_ - 1)*ddtInertia < 0.6*ddtInertia;
 }
 

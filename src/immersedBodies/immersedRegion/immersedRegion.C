@@ -9,13 +9,13 @@ Foam::immersedRegion::immersedRegion
     const geometricSpace& space,
     const dictionary& dict,
     const label nBodies,
-    const bool crossesGrid
+    const bool bodiesMove
 )
 :
     mesh_(mesh),
     search_(mesh, space),
     delta_(mesh.boundary().size()),
-    resistance_(resistanceModel::New(dict, mesh, crossesGrid)),
+    resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
     regions_(nBodies),
     K_
     (

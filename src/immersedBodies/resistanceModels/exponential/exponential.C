@@ -50,11 +50,11 @@ Foam::resistanceModels::exponential::exponential
 (
     const dictionary& dict,
     const fvMesh&,
-    const bool crossesGrid
+    const bool bodiesMove
 )
 :
     resistanceModel(),
-    steepness_(crossesGrid ? 1.0 : 1.2)
+    steepness_(bodiesMove ? 1.0 : 1.2)
 {
     keywords::check(dict, {"type", "steepness", "shieldShift", "shieldWidth"});
 

@@ -14,7 +14,7 @@ Foam::autoPtr<Foam::resistanceModel> Foam::resistanceModel::New
 (
     const dictionary& dict,
     const fvMesh& mesh,
-    const bool crossesGrid
+    const bool bodiesMove
 )
 {
     const word type
@@ -32,6 +32,6 @@ Foam::autoPtr<Foam::resistanceModel> Foam::resistanceModel::New
     (
         dict,
         mesh,
-        crossesGrid
+        bodiesMove
     );
 }
