@@ -85,6 +85,25 @@ WRONG = {
         ["'velocity'", "'disc'", "out of the plane", FILE],
     ),
 
+    # Steady state
+    "keyword of steady": (
+        FILE, "bodies\n", "steady { tolerence 1e-4; }\nbodies\n",
+        ["'tolerence'", "nearest valid one is 'tolerance'", "'steady'", FILE],
+    ),
+    "steady in one word": (
+        FILE, "bodies\n", "steady yes;\nbodies\n",
+        ["'steady'", "not a sub-dictionary", FILE],
+    ),
+    "zero tolerance": (
+        FILE, "bodies\n", "steady { tolerance 0; }\nbodies\n",
+        ["'tolerance 0'", "greater than 0", FILE],
+    ),
+    "steady state of a body that crosses the mesh": (
+        FILE, "bodies\n", "steady {}\nbodies\n",
+        ["'steady'", "'disc'", "'motion { type fixed; }' for all",
+         "'window { type comoving; ... }'", FILE],
+    ),
+
     # Motion
     "type of motion": (
         FILE, BODY, BODY + " motion { type towed; }",

@@ -36,7 +36,9 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         firstChange_ = change_;
     }
 
-    // The first iteration knows the pressure of the old pose only
+    // The first iteration knows the pressure of the old pose only. Steps on
+    // the way to a steady state need not converge.
     converged_ = !bodies_->moving()
+     || bodies_->steady().active()
      || (outer_ > 1 && change <= bodies_->tolerance()*speed);
 }

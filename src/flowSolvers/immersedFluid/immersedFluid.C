@@ -220,6 +220,11 @@ void Foam::flowSolvers::immersedFluid::postSolve()
 
     reportProgress();
 
+    if (good && bodies_->steady().active())
+    {
+        endIfSteady();
+    }
+
     if (runTime_.writeTime())
     {
         bodies_->region().bodyFraction()->write();

@@ -99,7 +99,8 @@ Foam::immersedBodies::immersedBodies
     loads_(bodies_.size()),
     h_(bodies_.size(), GREAT),
     nOuterCorrectors_(10),
-    tolerance_(1e-4)
+    tolerance_(1e-4),
+    steady_(dict)
 {
     const dictionary& coupling = dict.subOrEmptyDict("coupling");
 
@@ -108,6 +109,13 @@ Foam::immersedBodies::immersedBodies
         keywords::positiveOr(coupling, "nOuterCorrectors", nOuterCorrectors_)
     );
     tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
+
+    if (steady_.active())
+    {
+        // The time steps themselves are the iterations
+        checkSteady();
+        nOuterCorrectors_ = 1;
+    }
 
     findSymmetry();
     region_.updateGeometry(bodies_);

@@ -124,3 +124,25 @@ void Foam::immersedBodies::checkResolution() const
         }
     }
 }
+
+
+void Foam::immersedBodies::checkSteady() const
+{
+    if (!moving_ || window_.comoving())
+    {
+        return;
+    }
+
+    for (const immersedBody& body : bodies_)
+    {
+        if (!body.isFixed())
+        {
+            FatalIOErrorInFunction(dict_.subDict("steady"))
+                << "'steady' is for bodies that do not cross the mesh, and"
+                << " body '" << body.name() << "' may: allowed are"
+                << " 'motion { type fixed; }' for all bodies, or"
+                << " 'window { type comoving; ... }'" << nl
+                << exit(FatalIOError);
+        }
+    }
+}

@@ -88,7 +88,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         dict,
         {
             "rho", "resistance", "coupling", "motion", "contact",
-            "lubrication", "window", "bodies"
+            "lubrication", "window", "steady", "bodies"
         }
     );
     keywords::check
@@ -194,6 +194,12 @@ void Foam::immersedBodies::report(Ostream& os) const
     os  << nl << "    cells per width: " << fewest << " to " << most << nl
         << "    coupling: at most " << nOuterCorrectors_
         << " iterations, tolerance " << tolerance_ << nl;
+
+    if (steady_.active())
+    {
+        os  << "    steady: ends at a residual of " << steady_.tolerance()
+            << nl;
+    }
 }
 
 

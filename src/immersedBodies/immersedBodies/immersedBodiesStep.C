@@ -193,3 +193,24 @@ bool Foam::immersedBodies::endStep()
 
     return good;
 }
+
+
+void Foam::immersedBodies::compareStep(const scalar speed, const scalar nu)
+{
+    const scalar T = steadyMonitor::timeScale
+    (
+        mesh_.bounds().span(),
+        space_.translation(),
+        speed,
+        nu
+    );
+
+    steady_.update
+    (
+        bodies_,
+        window_.velocity(),
+        speed,
+        nu,
+        T/mesh_.time().deltaTValue()
+    );
+}
