@@ -204,13 +204,7 @@ void Foam::immersedBodies::compareStep(const scalar speed, const scalar nu)
         speed,
         nu
     );
+    const scalar dt = mesh_.time().deltaTValue();
 
-    steady_.update
-    (
-        bodies_,
-        window_.velocity(),
-        speed,
-        nu,
-        T/mesh_.time().deltaTValue()
-    );
+    steady_.update(bodies_, window_.velocity(), speed, nu, T, dt);
 }

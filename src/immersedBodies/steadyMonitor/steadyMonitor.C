@@ -89,11 +89,12 @@ void Foam::steadyMonitor::update
     const vector& meshU,
     const scalar speed,
     const scalar nu,
-    const scalar stepsPerT
+    const scalar T,
+    const scalar dt
 )
 {
     const bool first = values_.empty();
-    const scalar perT = max(stepsPerT, 1);
+    const scalar perT = max(T/dt, 1);
 
     values_.resize(4*bodies.size(), vector::zero);
     residual_ = 0;
@@ -127,7 +128,7 @@ void Foam::steadyMonitor::update
         const scalar crossing = mag(body.state().U - meshU)
           + (body.shape().round() ? 0 : mag(rim));
 
-        note(crossing/max(speed, VSMALL), body, "motion in the mesh");
+        note(crossing*max(T, dt)/R, body, "motion in the mesh");
     }
 
     if (first)
