@@ -70,25 +70,27 @@ TUBE_DRAG = {-0.3: 4.5869025, 0: 5.2104927}
 
 
 @pytest.mark.parametrize("y, cells, offset, tolerance", [
-    (-0.3, 8, (0, 0), 3e-3),
-    (-0.3, 8, (0.3, 0.4), 3e-3),
-    (0, 8, (0, 0), 3e-3),
-    (-0.3, 16, (0.3, 0.4), 8e-4),
+    (-0.3, (8, 8), (0, 0), 3e-3),
+    (-0.3, (8, 8), (0.3, 0.4), 3e-3),
+    (0, (8, 8), (0, 0), 3e-3),
+    (-0.3, (16, 16), (0.3, 0.4), 8e-4),
+    # Stretched cells
+    (-0.3, (16, 8), (0.3, 0.4), 3e-3),
+    (-0.3, (6, 12), (0, 0), 4e-3),
 ])
 def test_drag_of_a_disc_in_a_tube(
     y, cells, offset, tolerance, compare, tmp_path
 ):
     radius = 0.065
-    h = 2*radius/cells
-    fine = cells > 8
+    fine = min(cells) > 8 or cells[0] != cells[1]
     case = BodyCase("tube", tmp_path)
     case.mesh(*(
         graded(
             -size, size,
-            around(centre, 5*radius if fine else 4*radius, h, shift),
-            h, 1.05 if fine else 1.08,
+            around(centre, (5 if fine else 4)*radius, 2*radius/n, shift),
+            2*radius/n, 1.05 if fine else 1.08,
         )
-        for size, centre, shift in zip((3, 1), (0, y), offset)
+        for size, centre, shift, n in zip((3, 1), (0, y), offset, cells)
     ))
     case.bodies(f"""
         disc

@@ -10,9 +10,9 @@ FIXED = "constraints { translate (0 0 0); rotate (0 0 0); }"
 CELLS = 16
 
 
-def solve(folder, name, positions, ranks=1):
+def solve(folder, name, positions, ranks=1, by_force=False):
     """Flow rate through an array of discs, one per box."""
-    case = periodic_case(folder, name, CELLS, 2, gradient=30)
+    case = periodic_case(folder, name, CELLS, 2, 30, by_force)
     case.replace(
         "system/fvSchemes", "div(phi,U)          Gauss linear",
         "div(phi,U)          none",
@@ -43,6 +43,14 @@ def test_a_body_on_a_cyclic_patch(tmp_path):
     )
     assert solve(tmp_path, "ranks", corners, ranks=2) == pytest.approx(
         middle, rel=1e-4
+    )
+
+
+def test_a_body_force_is_a_pressure_gradient(tmp_path):
+    """fvOptions: their force acts on the layer as the gradient would."""
+    middle = "(0.52 0.53 0)"
+    assert solve(tmp_path, "force", middle, by_force=True) == pytest.approx(
+        solve(tmp_path, "gradient", middle), rel=1e-3
     )
 
 

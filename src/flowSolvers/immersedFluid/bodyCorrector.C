@@ -34,11 +34,19 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (outer_ == 1)
     {
         firstChange_ = change_;
+        speedScale_ = max(fluidSpeed(), change);
     }
-
     // The first iteration knows the pressure of the old pose only. Steps on
     // the way to a steady state need not converge.
     converged_ = !bodies_->moving()
      || bodies_->steady().active()
      || (outer_ > 1 && change <= bodies_->tolerance()*speed);
+
+    // Seldom needed: most steps take two iterations
+    if (free && !converged_ && outer_ > 2)
+    {
+        const scalar fastest = gMax(mag(U_.primitiveField())());
+
+        lost_ = !(max(change, fastest) < 10*speedScale_);
+    }
 }

@@ -61,6 +61,8 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     converged_(false),
     firstChange_(0),
     change_(0),
+    speedScale_(0),
+    lost_(false),
     retry_(mesh, runTime_),
     startTime_(mesh.time().value())
 {
@@ -161,6 +163,7 @@ void Foam::flowSolvers::immersedFluid::preSolve()
     outer_ = 0;
     converged_ = false;
     change_ = 0;
+    lost_ = false;
 }
 
 
@@ -171,15 +174,7 @@ bool Foam::flowSolvers::immersedFluid::outerLoop()
         return incompressibleFluid::outerLoop();
     }
 
-    // Far above their own size the velocities do not come back
-    const scalar hopeless = 100;
-
-    if
-    (
-        !converged_
-     && outer_ < bodies_->nOuterCorrectors()
-     && change_ < hopeless
-    )
+    if (!converged_ && !lost_ && outer_ < bodies_->nOuterCorrectors())
     {
         ++outer_;
         return true;

@@ -61,8 +61,14 @@ void Foam::flowSolvers::immersedFluid::separateForce(fvVectorMatrix& eqn)
 void Foam::flowSolvers::immersedFluid::extrapolateFlux()
 {
     // With the flux of the last time step a step of one iteration would be of
-    // first order; the first step of a run has nothing to extrapolate from
-    if (!stokes_ && runTime_.timeIndex() > 1)
+    // first order; the first step of a run has nothing to extrapolate from, the
+    // way to a steady state need not be accurate
+    if
+    (
+        !stokes_
+     && !bodies_->steady().active()
+     && runTime_.timeIndex() > 1
+    )
     {
         const scalar ratio =
             runTime_.deltaTValue()/runTime_.deltaT0Value();

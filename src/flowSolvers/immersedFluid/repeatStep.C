@@ -7,10 +7,12 @@ bool Foam::flowSolvers::immersedFluid::farOff() const
     // What goes on with less than this corrects itself in the next step
     const scalar acceptable = max(0.02, bodies_->tolerance());
 
-    return !converged_
-     && outer_ > 2
+    const bool stagnant =
+        outer_ > 2
      && !(change_ <= acceptable)
      && !(change_ < 0.5*firstChange_);
+
+    return lost_ || (!converged_ && stagnant);
 }
 
 
@@ -32,6 +34,7 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
     outer_ = 1;
     converged_ = false;
     change_ = 0;
+    lost_ = false;
 
     Info<< nl << "Time = " << runTime_.timeName()
         << ", repeated with deltaT = " << runTime_.deltaTValue() << nl << endl;
