@@ -61,10 +61,5 @@ def test_a_run_that_cannot_go_on_stops_with_its_state(tube, tmp_path):
     assert float(end) == pytest.approx(case.table("motion")["time"][-1])
     assert (case.path / end / "uniform/immersedBodies").is_file()
 
-    # From there smaller steps lead on
-    case.controls(endTime=float(end) + 0.05, deltaT=0.005)
-    case.bodies(
-        (case.path / "constant/immersedBodyProperties").read_text()
-        .split("bodies\n{\n", 1)[1].rsplit("}", 1)[0]
-    )
-    case.solve()
+    # It can be read again
+    case.run("foamRun", "-check")
