@@ -100,10 +100,12 @@ def test_drag_of_a_disc_in_a_tube(
             {FIXED}
         }}
     """)
-    case.controls(endTime="4" if cells[0] >= cells[1] else "8", deltaT="0.05")
+    case.controls(endTime="4", deltaT="0.05")
     run = solve(case)
 
-    drag = steady(case.table("forces")["fluidForce_x"], 1e-4)/DEPTH
+    # What is left of the transient is small beside the tolerance
+    force = case.table("forces")["fluidForce_x"]
+    drag = steady(force, max(1e-4, 0.1*tolerance))/DEPTH
     compare(
         f"disc in a tube, drag, y {y}, D/h {cells}, offset {offset}",
         drag, TUBE_DRAG[y], tolerance, run,
