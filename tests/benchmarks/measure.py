@@ -21,22 +21,6 @@ def set_profile(case, old, new):
         case.replace(file, old, new)
 
 
-def set_symmetry(case, patch):
-    """Make a patch, so far of type patch, a plane of symmetry. Before
-    blockMesh, after the conditions of the other patches."""
-    case.replace(
-        "system/blockMeshDict", f"{patch} {{ type patch;",
-        f"{patch} {{ type symmetryPlane;",
-    )
-    for field in ("U", "p"):
-        path = case.path / "0" / field
-        head, tail = path.read_text().split("boundaryField", 1)
-        tail = tail.replace(
-            "{", f"{{\n    {patch} {{ type symmetryPlane; }}\n", 1
-        )
-        path.write_text(f"{head}boundaryField{tail}")
-
-
 def set_stokes(case):
     """Leave convection out."""
     case.replace(

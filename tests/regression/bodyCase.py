@@ -59,6 +59,21 @@ class BodyCase(FoamCase):
         assert text.count(old) == 1, f"'{old}' in {path}"
         path.write_text(text.replace(old, new))
 
+    def set_symmetry(self, patch):
+        """Make a patch, so far of type patch, a plane of symmetry. Before
+        blockMesh, after the conditions of the other patches."""
+        self.replace(
+            "system/blockMeshDict", f"{patch} {{ type patch;",
+            f"{patch} {{ type symmetryPlane;",
+        )
+        for field in ("U", "p"):
+            path = self.path / "0" / field
+            head, tail = path.read_text().split("boundaryField", 1)
+            tail = tail.replace(
+                "{", f"{{\n    {patch} {{ type symmetryPlane; }}\n", 1
+            )
+            path.write_text(f"{head}boundaryField{tail}")
+
     def controls(self, **entries):
         """Change or add entries of system/controlDict."""
         path = self.path / "system" / "controlDict"

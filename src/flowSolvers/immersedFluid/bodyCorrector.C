@@ -36,6 +36,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         firstChange_ = change_;
         speedScale_ = max(fluidSpeed(), change);
     }
+
     // The first iteration knows the pressure of the old pose only. Steps on
     // the way to a steady state need not converge.
     converged_ = !bodies_->moving()

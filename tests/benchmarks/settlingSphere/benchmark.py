@@ -8,7 +8,7 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_symmetry, set_viscosity
+from measure import Run, set_viscosity
 
 RATIO, GALILEI, WIDTH = 2.56, 49, 7.5
 SCALE = math.sqrt(RATIO - 1)    # sqrt((r - 1) g D), g = D = 1
@@ -68,7 +68,7 @@ def make_mesh(case, h, ahead, behind, whole):
     along = graded(-behind, ahead, (-h*round(1.2/h), core), h)
     n = boxMesh.write(case, along, across, across, PATCHES[whole])
     for plane in () if whole else ("middleY", "middleZ"):
-        set_symmetry(case, plane)
+        case.set_symmetry(plane)
     case.run("blockMesh")
     return n
 

@@ -8,7 +8,7 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_symmetry
+from measure import Run
 
 # Densities [kg/m3] of fluid and sphere, viscosity [Pa s], largest velocity
 # measured [m/s], time to a gap of about half a diameter [s]
@@ -47,7 +47,7 @@ def mesh(case, cells, whole):
         "walls": "x+ y+ z- z+", "middleX": "x-", "middleY": "y-",
     })
     for plane in ("middleX", "middleY"):
-        set_symmetry(case, plane)
+        case.set_symmetry(plane)
     case.run("blockMesh")
     return n
 
