@@ -37,11 +37,13 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         speedScale_ = max(fluidSpeed(), change);
     }
 
-    // The first iteration knows the pressure of the old pose only. Steps on
-    // the way to a steady state need not converge.
+    // Through the mesh, the first iteration knows the pressure of the old pose
+    // only. Steps on the way to a steady state need not converge.
+    const bool posed = outer_ > 1 || bodies_->window().comoving();
+
     converged_ = !bodies_->moving()
      || bodies_->steady().active()
-     || (outer_ > 1 && change <= bodies_->tolerance()*speed);
+     || (posed && change <= bodies_->tolerance()*speed);
 
     // Seldom needed: most steps take two iterations
     if (free && !converged_ && outer_ > 2)

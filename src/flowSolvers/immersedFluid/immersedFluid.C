@@ -213,6 +213,7 @@ void Foam::flowSolvers::immersedFluid::postSolve()
 
     const bool good = bodies_->endStep();
 
+    continuityErrors();
     reportProgress();
 
     if (good && bodies_->steady().active())

@@ -4,6 +4,18 @@
 #include "fvcGrad.H"
 #include "fvmDdt.H"
 #include "fvmLaplacian.H"
+#include "profiling.H"
+
+
+const Foam::volScalarField& Foam::flowSolvers::immersedFluid::viscosity()
+{
+    if (!nuEff_.valid())
+    {
+        nuEff_ = momentumTransport->nuEff();
+    }
+
+    return nuEff_();
+}
 
 
 Foam::tmp<Foam::fvVectorMatrix>
@@ -13,7 +25,7 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
     // its discrete form does where the velocity bends, at the bodies
     if (immersed() && uniformViscosity_)
     {
-        return -fvm::laplacian(momentumTransport->nuEff(), U_);
+        return -fvm::laplacian(viscosity(), U_);
     }
 
     return incompressibleFluid::divDevSigma();
@@ -122,6 +134,30 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
 }
 
 
+void Foam::flowSolvers::immersedFluid::solveMomentum(fvVectorMatrix& eqn)
+{
+    const dictionary& solver = mesh_.solver(U_.select(true));
+
+    if (outer_ == 1)
+    {
+        const vector residual(cmptMag(eqn.solve(solver).initialResidual()));
+
+        // Components that are not solved for, or are zero, say nothing
+        scalar least = GREAT;
+
+        for (direction cmpt = 0; cmpt < 3; ++cmpt)
+        {
+            least = min(least, residual[cmpt] > 0 ? residual[cmpt] : GREAT);
+        }
+        momentumTarget_.set(solver, least < GREAT ? least : 0);
+    }
+    else
+    {
+        eqn.solve(momentumTarget_.controls(solver));
+    }
+}
+
+
 void Foam::flowSolvers::immersedFluid::momentumPredictor()
 {
     if (!immersed())
@@ -129,6 +165,8 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         incompressibleFluid::momentumPredictor();
         return;
     }
+
+    addProfiling(momentum, "momentumPredictor");
 
     if (outer_ == 1)
     {
@@ -138,7 +176,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     tUEqn = assembleMomentum();
     A0_ = tUEqn().A();
-    bodies_->updateResistance(A0_(), momentumTransport->nuEff()());
+    bodies_->updateResistance(A0_(), viscosity());
 
     fvVectorMatrix UEqn(tUEqn());
 
@@ -146,7 +184,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     UEqn.source() -= mesh_.V()*tdrive();
     bodies_->region().penalise(A0_(), tdrive(), UEqn);
-    UEqn.solve(mesh_.solver(U_.select(true)));
+    solveMomentum(UEqn);
 
     fvOptions.correct(U_);
 }

@@ -9,6 +9,7 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
+#include "profiling.H"
 
 
 Foam::tmp<Foam::surfaceScalarField>
@@ -43,21 +44,14 @@ Foam::flowSolvers::immersedFluid::predictImmersedFlux()
 }
 
 
-void Foam::flowSolvers::immersedFluid::pressureCorrector()
+void Foam::flowSolvers::immersedFluid::project
+(
+    const dimensionedScalar& tau,
+    const surfaceScalarField& phiHbyA,
+    const volScalarField& divPhi
+)
 {
-    if (!immersed())
-    {
-        incompressibleFluid::pressureCorrector();
-        return;
-    }
-
-    const ddtCoefficients ddt(mesh_, U_.name());
-    const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
     volScalarField& dp = dp_();
-
-    const tmp<surfaceScalarField> tphiHbyA(predictImmersedFlux());
-    const surfaceScalarField& phiHbyA = tphiHbyA();
-    const volScalarField divPhi(fvc::div(phiHbyA));
 
     // In later iterations the increment is small: its last value is no guess
     dp = dimensionedScalar(dp.dimensions(), Zero);
@@ -81,13 +75,31 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
             phi_ = phiHbyA - dpEqn.flux();
         }
     }
+}
 
-    continuityErrors();
 
-    const tmp<volScalarField> nu(momentumTransport->nuEff());
+void Foam::flowSolvers::immersedFluid::pressureCorrector()
+{
+    if (!immersed())
+    {
+        incompressibleFluid::pressureCorrector();
+        return;
+    }
+
+    addProfiling(pressure, "pressureCorrector");
+
+    const ddtCoefficients ddt(mesh_, U_.name());
+    const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
+    const volScalarField& dp = dp_();
+
+    const tmp<surfaceScalarField> tphiHbyA(predictImmersedFlux());
+    const surfaceScalarField& phiHbyA = tphiHbyA();
+    const volScalarField divPhi(fvc::div(phiHbyA));
+
+    project(tau, phiHbyA, divPhi);
 
     p_.primitiveFieldRef() += dp.primitiveField()
-      - nu().primitiveField()*divPhi.primitiveField();
+      - viscosity().primitiveField()*divPhi.primitiveField();
     p_.correctBoundaryConditions();
     gradP_ = fvc::grad(p_);
 
@@ -105,4 +117,5 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     tUEqn.clear();
     A0_.clear();
+    nuEff_.clear();
 }

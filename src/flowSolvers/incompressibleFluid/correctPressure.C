@@ -10,6 +10,7 @@
 #include "fvcMeshPhi.H"
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
+#include "profiling.H"
 
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
@@ -130,6 +131,8 @@ void Foam::flowSolvers::incompressibleFluid::correctPressure()
 
 void Foam::flowSolvers::incompressibleFluid::pressureCorrector()
 {
+    addProfiling(pressure, "pressureCorrector");
+
     while (pimple_.correct())
     {
         correctPressure();

@@ -4,6 +4,7 @@
 #include "fvcGrad.H"
 #include "fvmDdt.H"
 #include "fvmDiv.H"
+#include "profiling.H"
 
 
 Foam::tmp<Foam::fvVectorMatrix>
@@ -38,6 +39,8 @@ Foam::flowSolvers::incompressibleFluid::assembleMomentum()
 
 void Foam::flowSolvers::incompressibleFluid::momentumPredictor()
 {
+    addProfiling(momentum, "momentumPredictor");
+
     tUEqn = assembleMomentum();
 
     if (pimple_.momentumPredictor())

@@ -2,6 +2,13 @@
 
 #include "immersedBodies.H"
 #include "compat.H"
+#include "profiling.H"
+
+Foam::scalar Foam::immersedBodies::stepRatio() const
+{
+    return mesh_.time().deltaTValue()/mesh_.time().deltaT0Value();
+}
+
 
 void Foam::immersedBodies::beginStep()
 {
@@ -9,7 +16,7 @@ void Foam::immersedBodies::beginStep()
 
     for (immersedBody& body : bodies_)
     {
-        body.beginStep();
+        body.beginStep(steady_.active() ? 0 : stepRatio());
         body.prescribe(clock_);
     }
 
@@ -47,6 +54,8 @@ void Foam::immersedBodies::predictPoses()
 
 void Foam::immersedBodies::predict()
 {
+    addProfiling(predict, "immersedBodies::predict");
+
     predictPoses();
     region_.updateGeometry(bodies_);
 }
@@ -58,6 +67,8 @@ void Foam::immersedBodies::updateResistance
     const scalarField& nu
 )
 {
+    addProfiling(resistance, "immersedBodies::updateResistance");
+
     region_.updateResistance(bodies_, A0, nu);
     region_.updateVelocity(bodies_);
 }
@@ -98,6 +109,8 @@ Foam::scalar Foam::immersedBodies::correct
     const bool response
 )
 {
+    addProfiling(correct, "immersedBodies::correct");
+
     region_.load(bodies_, E0, A0, U, gradP, dU, response, loads_);
 
     forAll(loads_, bodyi)
@@ -166,9 +179,16 @@ void Foam::immersedBodies::shareState()
 
 bool Foam::immersedBodies::endStep()
 {
+    addProfiling(endStep, "immersedBodies::endStep");
+
     // The poses that go with the last correction of the velocities
     predictPoses();
     shareState();
+
+    for (immersedBody& body : bodies_)
+    {
+        body.endStep(stepRatio());
+    }
 
     bool good = true;
 

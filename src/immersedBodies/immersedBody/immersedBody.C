@@ -38,6 +38,7 @@ Foam::immersedBody::immersedBody
 void Foam::immersedBody::restart()
 {
     old_ = oldOld_ = state_;
+    trendU_ = trendOmega_ = Zero;
     fluid_ = fluidOld_ = fluidOldOld_ = momentum(state_);
 }
 

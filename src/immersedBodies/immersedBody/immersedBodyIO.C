@@ -206,6 +206,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
     state_ = bodyState(dict);
     fluid_.linear = dict.get<vector>("fluidMomentum");
     fluid_.angular = dict.get<vector>("fluidAngularMomentum");
+    trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
+    trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
 
     old_ = oldOld_ = bodyState(old);
     fluidOld_.linear = old.get<vector>("fluidMomentum");
@@ -217,6 +219,7 @@ void Foam::immersedBody::readState(const dictionary& dict)
     {
         state_.U = state_.omega = Zero;
         old_ = oldOld_ = state_;
+        trendU_ = trendOmega_ = Zero;
     }
 
     ambientU_ = ambientOmega_ = false;
@@ -230,6 +233,8 @@ void Foam::immersedBody::writeState(Ostream& os) const
     state_.write(os);
     os.writeEntry("fluidMomentum", fluid_.linear);
     os.writeEntry("fluidAngularMomentum", fluid_.angular);
+    os.writeEntry("velocityTrend", trendU_);
+    os.writeEntry("angularVelocityTrend", trendOmega_);
 
     os.beginBlock("old");
     old_.write(os);

@@ -17,6 +17,17 @@ void lock(Foam::scalarSquareMatrix& A, Foam::scalarField& b, const int k)
     b[k] = 0;
 }
 
+
+//- The change if it goes on as expected, otherwise, as in the transient of a
+//  sudden start, nothing
+Foam::vector trend(const Foam::vector& change, const Foam::vector& expected)
+{
+    return
+        Foam::mag(change - expected) < 0.5*Foam::mag(change)
+      ? change
+      : Foam::vector::zero;
+}
+
 } // End anonymous namespace
 
 
@@ -56,13 +67,27 @@ void Foam::immersedBody::startPrescribed(const scalar t)
 }
 
 
-void Foam::immersedBody::beginStep()
+void Foam::immersedBody::beginStep(const scalar ratio)
 {
     oldOld_ = old_;
     old_ = state_;
 
     fluidOldOld_ = fluidOld_;
     fluidOld_ = fluid_;
+
+    if (isFree())
+    {
+        state_.U += ratio*trendU_;
+        state_.omega += ratio*trendOmega_;
+    }
+}
+
+
+void Foam::immersedBody::endStep(const scalar ratio)
+{
+    trendU_ = trend(state_.U - old_.U, ratio*(old_.U - oldOld_.U));
+    trendOmega_ =
+        trend(state_.omega - old_.omega, ratio*(old_.omega - oldOld_.omega));
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "immersedRegion.H"
 #include "cyclicPolyPatch.H"
+#include "profiling.H"
 #include "syncTools.H"
 
 void Foam::immersedRegion::penalise
@@ -11,6 +12,8 @@ void Foam::immersedRegion::penalise
     fvVectorMatrix& E
 ) const
 {
+    addProfiling(penalise, "immersedBodies::penalise");
+
     const scalarField& V = mesh_.V();
     const scalarField& K = K_;
     const label nInternal = mesh_.nInternalFaces();
@@ -57,6 +60,8 @@ void Foam::immersedRegion::penalise
 
 void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
 {
+    addProfiling(shield, "immersedBodies::shieldFlux");
+
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
     for (const label facei : faces_)

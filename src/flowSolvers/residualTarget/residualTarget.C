@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "residualTarget.H"
+
+bool Foam::residualTarget::applies(const dictionary& solver)
+{
+    return solver.found("tolerance")
+        && solver.found("relTol")
+        && solver.lookupOrDefault<word>("type", "segregated") == "segregated";
+}
+
+
+void Foam::residualTarget::set
+(
+    const dictionary& solver,
+    const scalar residual
+)
+{
+    target_ = applies(solver) ? solver.get<scalar>("relTol")*residual : 0;
+}
+
+
+Foam::dictionary Foam::residualTarget::controls
+(
+    const dictionary& solver
+) const
+{
+    dictionary controls(solver);
+
+    if (applies(solver))
+    {
+        controls.set
+        (
+            "tolerance",
+            max(target_, solver.get<scalar>("tolerance"))
+        );
+    }
+
+    return controls;
+}
