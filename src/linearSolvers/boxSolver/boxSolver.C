@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "boxSolver.H"
+#include "PstreamReduceOps.H"
+#include <fftw3.h>
+
+
+Foam::autoPtr<Foam::slabs> Foam::boxSolver::choose
+(
+    const tensorGrid& grid
+) const
+{
+    // Time to send a value forth and back [ns]
+    const scalar message = 20;
+
+    autoPtr<slabs> best;
+    scalar least = GREAT;
+
+    for (label d = 0; d < 3; ++d)
+    {
+        autoPtr<slabs> parts(new slabs(grid, d));
+        const lineOperator& line = laplacian_.line(d);
+
+        if (!parts().valid() || (line.cyclic() && line.size() < 2))
+        {
+            continue;
+        }
+
+        scalar cost = message*parts().moved() - lineTransform::cost(line);
+
+        for (label i = 0; i < 3; ++i)
+        {
+            cost += lineTransform::cost(laplacian_.line(i));
+        }
+
+        if (cost < least)
+        {
+            least = cost;
+            best = std::move(parts);
+        }
+    }
+
+    return best;
+}
+
+
+void Foam::boxSolver::addDirection
+(
+    const label direction,
+    const label inner,
+    const label outer,
+    const label nLayers,
+    scalarField& lambda
+)
+{
+    const char name = "xyz"[direction];
+    const lineOperator& line = laplacian_.line(direction);
+    const label n = line.size();
+
+    if (n == 1)
+    {
+        lambda += line.diag(0) - 2*line.off(0);
+        return;
+    }
+
+    autoPtr<lineTransform> transform
+    (
+        lineTransform::New(line, inner, outer*nLayers)
+    );
+
+    forAll(lambda, m)
+    {
+        lambda[m] += transform().eigenvalues()[(m/inner) % n];
+    }
+
+    norm_ *= transform().norm();
+    description_ += ", " + transform().description() + " in " + name;
+    transforms_.append(transform.release());
+}
+
+
+void Foam::boxSolver::setUp(const tensorGrid& grid, const slabs& parts)
+{
+    const label t = parts.direction();
+    const label a = (t == 0 ? 1 : 0), b = (t == 2 ? 1 : 2);
+    scalarField lambda(grid.n(a)*grid.n(b), Zero);
+
+    description_ = std::string("tridiagonal in ") + "xyz"[t];
+    addDirection(a, 1, grid.n(b), parts.nLayers(), lambda);
+    addDirection(b, grid.n(a), 1, parts.nLayers(), lambda);
+
+    map_.reset(new slabMap(grid, parts));
+    systems_.reset
+    (
+        new slabTridiagonal
+        (
+            laplacian_.line(t), parts, lambda, laplacian_.singular()
+        )
+    );
+
+    const size_t size = size_t(lambda.size())*parts.nLayers();
+    v_ = fftw_alloc_real(size);
+    other_ = fftw_alloc_real(size);
+
+    if (laplacian_.singular())
+    {
+        volumeShare_.setSize(grid.index().size());
+
+        forAll(volumeShare_, celli)
+        {
+            volumeShare_[celli] = grid.volume(grid.index()[celli]);
+        }
+
+        volumeShare_ /= gSum(volumeShare_);
+    }
+
+    direction_ = t;
+}
+
+
+Foam::boxSolver::boxSolver
+(
+    const boxLaplacian& laplacian,
+    const tensorGrid& grid
+)
+:
+    laplacian_(laplacian),
+    direction_(-1),
+    norm_(1),
+    v_(nullptr),
+    other_(nullptr)
+{
+    const autoPtr<slabs> parts(choose(grid));
+
+    if (parts.valid())
+    {
+        setUp(grid, parts());
+    }
+}
+
+
+Foam::boxSolver::~boxSolver()
+{
+    fftw_free(v_);
+    fftw_free(other_);
+}
+
+
+void Foam::boxSolver::apply
+(
+    const scalarField& b,
+    const scalar factor,
+    scalarField& x
+) const
+{
+    map_().toSlab(b, v_);
+
+    forAll(transforms_, i)
+    {
+        transforms_[i].forward(v_, other_);
+    }
+
+    systems_().solve(v_);
+
+    forAllReverse(transforms_, i)
+    {
+        transforms_[i].backward(v_, other_);
+    }
+
+    map_().fromSlab(v_, factor/norm_, x);
+}
+
+
+void Foam::boxSolver::setLevel
+(
+    const lduMatrix& matrix,
+    const scalar factor,
+    const scalar excess,
+    scalarField& x
+) const
+{
+    scalar level = 0;
+
+    if (floating())
+    {
+        level = -sumProd(volumeShare_, x);
+    }
+    else if (laplacian_.referenceCell() >= 0)
+    {
+        level =
+            excess/laplacian_.referenceCoefficient(matrix, factor)
+          - x[laplacian_.referenceCell()];
+    }
+
+    reduce(level, sumOp<scalar>());
+    x += level;
+}
+
+
+void Foam::boxSolver::solve
+(
+    const lduMatrix& matrix,
+    scalarField& b,
+    scalarField& x
+) const
+{
+    const scalar factor = laplacian_.factor(matrix);
+
+    if (!laplacian_.singular())
+    {
+        apply(b, -1/factor, x);
+        return;
+    }
+
+    // The sum of the equations: without the reference 0, else its equation
+    const scalar excess = gSum(b);
+
+    if (floating())
+    {
+        b -= excess*volumeShare_;
+    }
+    else if (laplacian_.referenceCell() >= 0)
+    {
+        b[laplacian_.referenceCell()] -= excess;
+    }
+
+    apply(b, -1/factor, x);
+    setLevel(matrix, factor, excess, x);
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fastPoisson.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(fastPoisson, 0);
+
+    lduMatrix::solver::addsymMatrixConstructorToTable<fastPoisson>
+        addfastPoissonSymMatrixConstructorToTable_;
+}
+
+
+Foam::scalar Foam::fastPoisson::residual
+(
+    const scalarField& psi,
+    const scalarField& source,
+    const scalar normFactor,
+    const direction cmpt,
+    scalarField& residual
+) const
+{
+    matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+    residual = source - residual;
+
+    return gSumMag(residual)/normFactor;
+}
+
+
+Foam::scalar Foam::fastPoisson::attainable
+(
+    const boxSolver& direct,
+    const scalarField& psi,
+    const scalarField& source,
+    const scalar normFactor
+) const
+{
+    const scalar rounding = 1e-14*gSum(mag(matrix_.diag()*psi)());
+    const scalar inconsistency = direct.floating() ? mag(gSum(source)) : 0;
+
+    return 1.01*(rounding + inconsistency)/normFactor;
+}
+
+
+bool Foam::fastPoisson::refine
+(
+    const boxSolver& direct,
+    scalarField& psi,
+    const scalarField& source,
+    scalarField& residual,
+    const scalar normFactor,
+    const direction cmpt,
+    solverPerformance& performance
+) const
+{
+    const label maxSolutions = 4;
+    scalarField correction(psi.size());
+
+    for (label i = 0; i < maxSolutions; ++i)
+    {
+        const scalar before = performance.finalResidual();
+
+        direct.solve(matrix_, residual, correction);
+        psi += correction;
+        performance.finalResidual() =
+            this->residual(psi, source, normFactor, cmpt, residual);
+        ++performance.nIterations();
+
+        if (performance.checkConvergence(tolerance_, relTol_))
+        {
+            return true;
+        }
+
+        if (!(performance.finalResidual() < 0.01*before))
+        {
+            return performance.finalResidual()
+              < attainable(direct, psi, source, normFactor);
+        }
+    }
+
+    return true;
+}
+
+
+Foam::solverPerformance Foam::fastPoisson::solveOtherwise
+(
+    scalarField& psi,
+    const scalarField& source,
+    const direction cmpt
+) const
+{
+    dictionary controls(controlDict_.subOrEmptyDict("fallback"));
+
+    for (const char* key : {"tolerance", "relTol", "minIter", "maxIter"})
+    {
+        if (controlDict_.found(key) && !controls.found(key))
+        {
+            controls.add(*controlDict_.findEntry(key));
+        }
+    }
+
+    if (!controls.found("solver"))
+    {
+        controls.add("solver", word("GAMG"));
+        controls.add("smoother", word("GaussSeidel"));
+    }
+
+    if (controls.get<word>("solver") == typeName)
+    {
+        FatalIOErrorInFunction(controlDict_)
+            << "'fallback' of " << fieldName_ << " must be another solver than "
+            << typeName << exit(FatalIOError);
+    }
+
+    return lduMatrix::solver::New
+    (
+        fieldName_,
+        matrix_,
+        interfaceBouCoeffs_,
+        interfaceIntCoeffs_,
+        interfaces_,
+        controls
+    )->solve(psi, source, cmpt);
+}
+
+
+Foam::fastPoisson::fastPoisson
+(
+    const word& fieldName,
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const FieldField<Field, scalar>& interfaceIntCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces,
+    const dictionary& solverControls
+)
+:
+    lduMatrix::solver
+    (
+        fieldName,
+        matrix,
+        interfaceBouCoeffs,
+        interfaceIntCoeffs,
+        interfaces,
+        solverControls
+    )
+{}
+
+
+Foam::solverPerformance Foam::fastPoisson::solve
+(
+    scalarField& psi,
+    const scalarField& source,
+    const direction cmpt
+) const
+{
+    // Agglomerated meshes are none
+    const polyMesh* mesh = dynamic_cast<const polyMesh*>(&matrix_.mesh());
+
+    if (!mesh)
+    {
+        return solveOtherwise(psi, source, cmpt);
+    }
+
+    solverPerformance performance(typeName, fieldName_);
+    scalarField residual(psi.size()), work(psi.size());
+
+    matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+    const scalar normFactor = this->normFactor(psi, source, residual, work);
+    residual = source - residual;
+    performance.initialResidual() = gSumMag(residual)/normFactor;
+    performance.finalResidual() = performance.initialResidual();
+
+    if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_))
+    {
+        return performance;
+    }
+
+    const boxSolverCache& cache = boxSolverCache::New(*mesh);
+    const boxSolver* direct = cache.find(fieldName_);
+    const bool isNew = !direct;
+
+    if (isNew)
+    {
+        direct = cache.make(*this);
+    }
+
+    auto solved = [&]()
+    {
+        return refine
+        (
+            *direct, psi, source, residual, normFactor, cmpt, performance
+        );
+    };
+
+    if (!direct)
+    {
+        return solveOtherwise(psi, source, cmpt);
+    }
+
+    if (solved())
+    {
+        return performance;
+    }
+
+    // Other conditions than last time?
+    if (!isNew)
+    {
+        direct = cache.make(*this);
+        performance.finalResidual() = this->residual
+        (
+            psi, source, normFactor, cmpt, residual
+        );
+        if (direct && solved())
+        {
+            return performance;
+        }
+    }
+
+    cache.refuse(fieldName_, "no convergence");
+    return solveOtherwise(psi, source, cmpt);
+}
