@@ -4,6 +4,20 @@
 #include "compat.H"
 #include "PstreamReduceOps.H"
 #include "SubField.H"
+#include <numeric>
+
+
+Foam::scalar Foam::boxLaplacian::sample(const lduMatrix& matrix)
+{
+    const scalarField& upper = matrix.upper();
+    const label n = min(upper.size(), 1000);
+
+    return returnReduce
+    (
+        std::accumulate(upper.begin(), upper.begin() + n, scalar(0)),
+        sumOp<scalar>()
+    );
+}
 
 
 bool Foam::boxLaplacian::makeLine
@@ -111,7 +125,7 @@ Foam::boxLaplacian::boxLaplacian
     const tensorGrid& grid
 )
 :
-    sum_(gSum(solver.matrix().upper())),
+    sum_(sample(solver.matrix())),
     referenceCell_(-1),
     referenceDiag_(0),
     referenced_(false)
@@ -177,5 +191,5 @@ Foam::scalar Foam::boxLaplacian::referenceCoefficient
 
 Foam::scalar Foam::boxLaplacian::factor(const lduMatrix& matrix) const
 {
-    return gSum(matrix.upper())/sum_;
+    return sample(matrix)/sum_;
 }

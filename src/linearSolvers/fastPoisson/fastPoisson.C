@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fastPoisson.H"
+#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -11,19 +12,21 @@ namespace Foam
 }
 
 
-Foam::scalar Foam::fastPoisson::residual
+Foam::scalar Foam::fastPoisson::subtract
 (
-    const scalarField& psi,
     const scalarField& source,
-    const scalar normFactor,
-    const direction cmpt,
-    scalarField& residual
-) const
+    scalarField& Apsi
+)
 {
-    matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
-    residual = source - residual;
+    scalar sum = 0;
 
-    return gSumMag(residual)/normFactor;
+    forAll(Apsi, celli)
+    {
+        Apsi[celli] = source[celli] - Apsi[celli];
+        sum += mag(Apsi[celli]);
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
 }
 
 
@@ -62,8 +65,8 @@ bool Foam::fastPoisson::refine
 
         direct.solve(matrix_, residual, correction);
         psi += correction;
-        performance.finalResidual() =
-            this->residual(psi, source, normFactor, cmpt, residual);
+        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+        performance.finalResidual() = subtract(source, residual)/normFactor;
         ++performance.nIterations();
 
         if (performance.checkConvergence(tolerance_, relTol_))
@@ -166,8 +169,7 @@ Foam::solverPerformance Foam::fastPoisson::solve
 
     matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
     const scalar normFactor = this->normFactor(psi, source, residual, work);
-    residual = source - residual;
-    performance.initialResidual() = gSumMag(residual)/normFactor;
+    performance.initialResidual() = subtract(source, residual)/normFactor;
     performance.finalResidual() = performance.initialResidual();
 
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_))
@@ -206,10 +208,7 @@ Foam::solverPerformance Foam::fastPoisson::solve
     if (!isNew)
     {
         direct = cache.make(*this);
-        performance.finalResidual() = this->residual
-        (
-            psi, source, normFactor, cmpt, residual
-        );
+
         if (direct && solved())
         {
             return performance;
