@@ -5,6 +5,63 @@
 using namespace Foam;
 using testTools::boxMesh;
 using testTools::boxMeshFaces;
+using testTools::patchFaces;
+
+namespace
+{
+
+//- Dictionary of a patch
+dictionary patchDict
+(
+    const boxMesh& box,
+    const patchFaces& patch,
+    const label start
+)
+{
+    dictionary dict;
+    dict.add("startFace", start);
+    dict.add("nFaces", label(patch.faces.size()));
+    const std::string& name = patch.to.patch;
+
+    if (patch.to.processor >= 0)
+    {
+        const bool cyclic = patch.to.through != "";
+        dict.add("type", word(cyclic ? "processorCyclic" : "processor"));
+        dict.add("myProcNo", Pstream::myProcNo());
+        dict.add("neighbProcNo", patch.to.processor);
+        if (cyclic)
+        {
+            dict.add("referPatch", word(patch.to.through));
+        }
+    }
+    else if (box.sides[name[4] - '0'][0] == 'c')
+    {
+        dict.add("type", word("cyclic"));
+        std::string other(name);
+        other.back() = name.back() == '0' ? '1' : '0';
+        dict.add("neighbourPatch", word(other));
+    }
+    else
+    {
+        dict.add("type", word("patch"));
+    }
+
+    return dict;
+}
+
+
+//- Name of a patch as decomposePar has it
+word patchName(const patchFaces& patch)
+{
+    return
+        patch.to.processor < 0
+      ? patch.to.patch
+      : "procBoundary" + std::to_string(Pstream::myProcNo()) + "to"
+          + std::to_string(patch.to.processor)
+          + (patch.to.through == "" ? "" : "through" + patch.to.through);
+}
+
+} // End anonymous namespace
 
 
 std::unique_ptr<fvMesh> boxMesh::make(const Time& time) const
@@ -59,8 +116,8 @@ std::unique_ptr<fvMesh> boxMesh::make(const Time& time) const
             patchi,
             polyPatch::New
             (
-                all.patchName(patch.second),
-                all.patchDict(patch.second, start[patchi]),
+                patchName(patch.second),
+                patchDict(*this, patch.second, start[patchi]),
                 patchi,
                 mesh->boundaryMesh()
             )

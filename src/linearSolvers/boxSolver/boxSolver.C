@@ -33,7 +33,8 @@ Foam::autoPtr<Foam::slabs> Foam::boxSolver::choose
             cost += lineTransform::cost(laplacian_.line(i));
         }
 
-        if (cost < least)
+        // Of equal ones the last, along which cells are usually numbered last
+        if (cost <= least)
         {
             least = cost;
             best = std::move(parts);
