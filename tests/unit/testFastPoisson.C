@@ -118,6 +118,18 @@ TEST_CASE("Rounded points need a second solution at most", "[fastPoisson]")
 }
 
 
+TEST_CASE("No more than rounding allows is asked for", "[fastPoisson]")
+{
+    boxMesh box(makeBox({9, 7, 1}, {"zf", "zz", "zz"}, 3));
+    box.processor = processors(0, box);
+    problem made(box);
+    const std::string controls = "solver fastPoisson; tolerance 0; relTol 0;";
+
+    CHECK(made.solve(made.equation(1).ref(), false, controls) < 1e-12);
+    CHECK(made.performance.solverName() == "fastPoisson");
+}
+
+
 TEST_CASE("What is no Laplacian on a box is solved otherwise", "[fastPoisson]")
 {
     boxMesh box(makeBox({9, 7, 1}, {"zf", "zz", "zz"}, 0));

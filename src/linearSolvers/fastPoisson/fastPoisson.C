@@ -85,6 +85,56 @@ bool Foam::fastPoisson::refine
 }
 
 
+bool Foam::fastPoisson::solveDirectly
+(
+    const polyMesh& mesh,
+    scalarField& psi,
+    const scalarField& source,
+    scalarField& residual,
+    const scalar normFactor,
+    const direction cmpt,
+    solverPerformance& performance
+) const
+{
+    const boxSolverCache& cache = boxSolverCache::New(mesh);
+    const boxSolver* direct = cache.find(fieldName_);
+    const scalarField start(psi);
+
+    auto solved = [&]()
+    {
+        return refine
+        (
+            *direct, psi, source, residual, normFactor, cmpt, performance
+        );
+    };
+
+    if (direct)
+    {
+        if (solved())
+        {
+            return true;
+        }
+
+        // Made for other conditions?
+        psi = start;
+        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+        performance.finalResidual() = subtract(source, residual)/normFactor;
+    }
+
+    direct = cache.make(*this);
+
+    if (!direct || solved())
+    {
+        return direct;
+    }
+
+    cache.refuse(fieldName_, "no convergence");
+    psi = start;
+
+    return false;
+}
+
+
 Foam::solverPerformance Foam::fastPoisson::solveOtherwise
 (
     scalarField& psi,
@@ -177,44 +227,16 @@ Foam::solverPerformance Foam::fastPoisson::solve
         return performance;
     }
 
-    const boxSolverCache& cache = boxSolverCache::New(*mesh);
-    const boxSolver* direct = cache.find(fieldName_);
-    const bool isNew = !direct;
-
-    if (isNew)
-    {
-        direct = cache.make(*this);
-    }
-
-    auto solved = [&]()
-    {
-        return refine
+    if
+    (
+        solveDirectly
         (
-            *direct, psi, source, residual, normFactor, cmpt, performance
-        );
-    };
-
-    if (!direct)
-    {
-        return solveOtherwise(psi, source, cmpt);
-    }
-
-    if (solved())
+            *mesh, psi, source, residual, normFactor, cmpt, performance
+        )
+    )
     {
         return performance;
     }
 
-    // Other conditions than last time?
-    if (!isNew)
-    {
-        direct = cache.make(*this);
-
-        if (direct && solved())
-        {
-            return performance;
-        }
-    }
-
-    cache.refuse(fieldName_, "no convergence");
     return solveOtherwise(psi, source, cmpt);
 }

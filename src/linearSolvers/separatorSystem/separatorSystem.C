@@ -162,7 +162,9 @@ void Foam::separatorSystem::assemble
     for (label proci = 0; proci < nSlabs_; ++proci)
     {
         const label i = high(slabOf_[proci]), j = low(slabOf_[proci]);
-        addTo(inverse_, proci, i < 0 ? -1 : i*n_ + i, j < 0 ? -1 : j*n_ + j, n2);
+        const label ii = i < 0 ? -1 : i*n_ + i;
+        const label jj = j < 0 ? -1 : j*n_ + j;
+        addTo(inverse_, proci, ii, jj, n2);
     }
 
     collect(between.begin(), between.begin());
