@@ -10,7 +10,8 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_profile, set_viscosity
+from freeRun import FreeRun
+from measure import set_profile, set_viscosity
 
 RATIOS = (0.01, 0.1, 0.5, 1, 2, 1000, 10000)
 COURANTS = (0.2, 0.5, 1, 2)
@@ -39,10 +40,6 @@ PATCHES = {
     2: {"inlet": "x-", "outlet": "x+", "walls": "y- y+"},
     3: {"inlet": "x-", "outlet": "x+", "walls": "y- y+ z- z+"},
 }
-
-# Over the speed of the flow: a velocity of the body or its rim that is not
-# physical, and one of its changes from step to step that is large
-FAST, JITTER = 2.5, 0.05
 
 PLOT = Path(__file__).resolve().parent.parent / "results/stability_map.png"
 
@@ -96,79 +93,15 @@ def release(dimensions, Re, ratio, courant, cells):
     """
 
 
-def motion_of(case):
-    """Velocity and rim velocity of the body over the flow's, by step."""
-    table = case.table("motion")
-    return np.array(
-        [table[f"velocity_{c}"] for c in "xyz"]
-        + [RADIUS*table[f"angularVelocity_{c}"] for c in "xyz"]
-    ).T/SPEED
-
-
-def why(log):
-    """What the solver said when it stopped."""
-    if "FOAM FATAL" in log:
-        lines = log.split("FOAM FATAL", 1)[1].splitlines()[1:]
-        return " ".join(" ".join(lines).split("From ")[0].split())
-    if "sigFpe" in log:
-        return "floating point exception"
-    return "stopped: " + " ".join(log.splitlines()[-1:])
-
-
-class StabilityRun(Run):
-    """A run of the matrix; its attributes say what is wrong with it:
-
-    reason      why it diverged, empty if it did not
-    fastest     largest velocity over the flow's
-    jitter      by how much it changes from step to step in the end"""
-
-    def __init__(self, mesh, n, folder, dimensions, Re, ratio, courant, cells):
-        settings = f"{dimensions}D Re {Re} r {ratio} Co {courant}"
-        name = f"{settings} D{cells}".replace(" ", "_")
-        case = BodyCase(mesh, folder, name)
-        set_viscosity(case, 1/Re)
-        case.bodies(release(dimensions, Re, ratio, courant, cells))
-        dt = time_step(courant, cells)
-        case.controls(endTime=f"{STEPS*dt:.10g}", deltaT=f"{dt:.10g}")
-        super().__init__(case, settings, cells, n, may_fail=True)
-
-        self.reason, self.fastest, self.jitter = "", 0, 0
-        if self.failed:
-            self.reason = why((case.path / "log.foamRun").read_text())
-            return
-        motion = motion_of(case)
-        self.fastest = np.abs(motion).max()
-        # Change of the change over a step: a smooth motion has little
-        bend = np.linalg.norm(np.diff(motion, 2, axis=0), axis=1)
-        self.jitter = np.sqrt(np.mean(bend[-6:]**2))
-        if self.jitter > 1 or self.fastest > 10:
-            self.reason = f"velocity up to {self.fastest:.3g} times the " \
-                f"flow's, last changes from step to step {self.jitter:.2g}"
-            fast = np.abs(motion).max(axis=1) > FAST
-            if fast.any():
-                self.outers = self.outers[:np.argmax(fast)]
-
-    def faults(self):
-        """Marks in the map: X diverged, O overshoots, ~ jitters, number of
-        steps not converged."""
-        if self.reason:
-            return "X"
-        missed = STEPS - self.converged
-        return ("O" if self.fastest > FAST else "") \
-            + ("~" if self.jitter > JITTER else "") \
-            + (f"{missed}" if missed else "")
-
-    def rows(self):
-        if self.reason:
-            print(f"{self.settings} D/h {self.D_over_h}: {self.reason}")
-            yield self.diverged()
-            return
-        if self.fastest > FAST:
-            yield self.row("largest velocity", self.fastest)
-        if self.jitter > JITTER:
-            yield self.row("jitter", self.jitter)
-        if self.converged < STEPS:
-            yield self.row("steps converged", self.converged)
+def run_case(mesh, n, folder, dimensions, Re, ratio, courant, cells):
+    """A run of the matrix."""
+    settings = f"{dimensions}D Re {Re} r {ratio} Co {courant}"
+    case = BodyCase(mesh, folder, f"{settings} D{cells}".replace(" ", "_"))
+    set_viscosity(case, 1/Re)
+    case.bodies(release(dimensions, Re, ratio, courant, cells))
+    dt = time_step(courant, cells)
+    case.controls(endTime=f"{STEPS*dt:.10g}", deltaT=f"{dt:.10g}")
+    return FreeRun(case, settings, cells, n, dt, RADIUS, SPEED)
 
 
 def plot(results):
@@ -228,9 +161,7 @@ def rows(folder, quick):
             runs = results[dimensions, Re] = {}
             for ratio, *key in itertools.product(ratios, courants, sizes):
                 mesh, n = meshes[tuple(key)]
-                run = StabilityRun(
-                    mesh, n, folder, dimensions, Re, ratio, *key
-                )
+                run = run_case(mesh, n, folder, dimensions, Re, ratio, *key)
                 runs[(ratio, *key)] = run
                 yield from run.rows()
             yield summary(list(runs.values()), dimensions, Re)
