@@ -169,9 +169,9 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
     const scalar ddtCoeff
 )
 {
-    // Share of the added mass that the projection adds to the response of
-    // the momentum equation within a step (0.5: of a sphere)
-    const scalar addedMass = 0.5;
+    // Added mass, which the projection adds to the response of the momentum
+    // equation within a step: that of a disc, of a sphere
+    const scalar addedMass = space_.twoD() ? 1 : 0.5;
     const tensor I(inertia(state_));
     scalarSquareMatrix J(load.block());
 
