@@ -35,37 +35,45 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::flowSolvers::immersedFluid::assembleMomentum()
 {
-    tmp<fvVectorMatrix> tEqn
-    (
-        stokes_
-      ? fvm::ddt(U_) + divDevSigma() == fvOptions(U_)
-      : incompressibleFluid::assembleMomentum()
-    );
+    if (!immersed())
+    {
+        return incompressibleFluid::assembleMomentum();
+    }
 
-    if (stokes_)
+    // As there, without the fields and matrices of what a case does not have
+    tmp<fvVectorMatrix> tEqn(fvm::ddt(U_));
+    fvVectorMatrix& eqn = tEqn.ref();
+
+    if (!stokes_)
     {
-        tEqn.ref().relax();
-        fvOptions.constrain(tEqn.ref());
+        eqn += fvm::div(phi_, U_);
     }
-    if (immersed())
+    eqn += divDevSigma();
+
+    if (MRF.MRFZoneList::size())
     {
-        separateForce(tEqn.ref());
+        MRF.correctBoundaryVelocity(U_);
+        eqn += MRF.DDt(U_);
     }
+    addOptions(eqn);
+    eqn.relax();
+    fvOptions.constrain(eqn);
 
     return tEqn;
 }
 
 
-void Foam::flowSolvers::immersedFluid::separateForce(fvVectorMatrix& eqn)
+void Foam::flowSolvers::immersedFluid::addOptions(fvVectorMatrix& eqn)
 {
     force_.clear();
 
     if (fvOptions.appliesToField(U_.name()))
     {
-        const fvVectorMatrix options(fvOptions(U_));
+        fvVectorMatrix options(fvOptions(U_));
 
         force_ = -options.source()/mesh_.V();
-        eqn.source() += options.source();
+        options.source() = Zero;
+        eqn -= options;
     }
 }
 

@@ -28,7 +28,8 @@ Foam::immersedRegion::immersedRegion
     shield_(mesh.nCells(), Zero),
     faceShield_(mesh.nFaces(), Zero),
     bodyFlux_(mesh.nFaces(), Zero),
-    weight_(mesh.nCells(), Zero)
+    weight_(mesh.nCells(), Zero),
+    shieldSum_(nBodies > 1 ? mesh.nFaces() : 0)
 {
     forAll(regions_, bodyi)
     {
@@ -92,8 +93,8 @@ void Foam::immersedRegion::combineShields
     }
 
     // Product of the open parts, and sum of the shields
-    Map<scalar> sum(2*all.size());
     UIndirectList<scalar>(total, all) = 1;
+    UIndirectList<scalar>(shieldSum_, all) = 0;
 
     for (const bodyRegion& region : regions_)
     {
@@ -102,7 +103,7 @@ void Foam::immersedRegion::combineShields
             const label at = (region.*labels)[i];
 
             total[at] *= 1 - (region.*shields)[i];
-            sum(at) += (region.*shields)[i];
+            shieldSum_[at] += (region.*shields)[i];
         }
     }
 
@@ -117,7 +118,7 @@ void Foam::immersedRegion::combineShields
         {
             const label at = (region.*labels)[i];
 
-            (region.*shields)[i] *= total[at]/max(sum[at], VSMALL);
+            (region.*shields)[i] *= total[at]/max(shieldSum_[at], VSMALL);
         }
     }
 }

@@ -14,30 +14,41 @@ from vortices import Box, Tube, bodies, make  # noqa: E402
 # Mesh, and diameters in cells by number of bodies
 MESHES = {
     "2D 384x128": (Box(384, 128), {1: 16, 20: 16}),
+    "2D 256x128 stretched": (Box(256, 128, ratio=3), {1: 16, 20: 16}),
     "2D 1536x512": (Box(1536, 512), {1: 16, 20: 16, 1000: 8}),
-    "2D stretched 256x128": (Box(256, 128, ratio=8), {1: 16, 20: 8}),
     "3D 64^3": (Box(64, 64, 64), {1: 8, 20: 8}),
     "3D 128x64x64": (Box(128, 64, 64), {1: 8, 20: 8, 1000: 4}),
     "3D tube": (Tube(90, 24), {1: 8, 20: 8}),
 }
-QUICK = ("2D 384x128", "2D stretched 256x128")
+QUICK = ("2D 384x128", "2D 256x128 stretched")
 STOCK = ["pimpleFoam"]
 OURS = ["foamRun", "-solver", "incompressibleFluid"]
 IMMERSED = ["foamRun", "-solver", "immersedFluid"]
 
 
-def solve(folder, case, mesh, name, command, ranks=1, number=0, diameter=0):
-    """Run a copy of the case with so many bodies."""
-    settings = f"{name}, {number} bodies, {ranks} ranks"
-    copy = BodyCase(case, folder, f"run_{command[-1]}_{number}_{ranks}")
+def solve(case, mesh, command, settings, ranks=1, crowd=(0, 0), fixed=False,
+          direct=False):
+    """Run a copy of the case with so many bodies of such a diameter."""
+    number, diameter = crowd
+    kind = "fixed" if fixed else "free"
+    pressure = "fastPoisson" if direct else "GAMG"
+    copy = BodyCase(
+        case, case.path.parent,
+        f"{command[-1]}_{pressure}_{number}_{kind}_{ranks}",
+    )
     if number:
-        copy.bodies(bodies(mesh, number, diameter))
+        settings += f", {number} {kind}"
+        copy.bodies(bodies(mesh, number, diameter, fixed))
     else:
         (copy.path/"constant/immersedBodyProperties").unlink()
+    if direct:
+        copy.replace("system/fvSolution", "GAMG", pressure)
     if ranks > 1:
+        settings += f", {ranks} ranks"
         copy.decompose(ranks)
     return TimedRun(
-        copy, command, settings, diameter or None, mesh.cells, ranks
+        copy, command, f"{settings}, {pressure}", diameter or None,
+        mesh.cells, ranks,
     )
 
 
@@ -55,6 +66,16 @@ def table(run, stock):
         yield run.row("outer iterations", run.outers)
 
 
+def arguments(mesh, crowds):
+    """Of the runs on one mesh, beside those of pimpleFoam."""
+    yield {"command": OURS}
+    yield {"command": IMMERSED}
+    for direct in (False, True) if isinstance(mesh, Box) else (False,):
+        yield {"crowd": (1, crowds[1]), "fixed": True, "direct": direct}
+        for crowd in crowds.items():
+            yield {"crowd": crowd, "direct": direct}
+
+
 def rows(folder, quick):
     """All meshes, solvers and numbers of bodies."""
     for name, (mesh, crowds) in MESHES.items():
@@ -64,13 +85,11 @@ def rows(folder, quick):
         place.mkdir()
         case = make(place, mesh, "mesh")
         for ranks in (1,) if quick else (1, 2):
-            stock = solve(place, case, mesh, name, STOCK, ranks)
+            stock = solve(case, mesh, STOCK, name, ranks)
             yield from table(stock, stock)
-            runs = [(OURS, 0, 0)] + [(IMMERSED, *crowd) for crowd in (
-                (0, 0), *crowds.items()
-            )]
-            for command, number, diameter in runs:
+            for options in arguments(mesh, crowds):
                 run = solve(
-                    place, case, mesh, name, command, ranks, number, diameter
+                    case, mesh, settings=name, ranks=ranks,
+                    **{"command": IMMERSED, **options},
                 )
                 yield from table(run, stock)

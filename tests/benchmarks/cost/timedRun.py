@@ -9,7 +9,8 @@ from foamCase import FoamError
 from measure import Result
 
 WARM = 3                    # steps before those that are timed
-WORK = 1.5e6                # cells times steps of a run, about
+WORK = 2e6                  # cells times steps of a run, about
+MOST = 24                   # steps, lest grains meet
 BODIES = "immersedBodies::"
 PARTS = ("momentumPredictor", "pressureCorrector", BODIES)
 
@@ -23,7 +24,7 @@ class TimedRun(Result):
     """
 
     def __init__(self, case, command, settings, D_over_h, cells, ranks=1):
-        steps = max(6, round(WORK/cells))
+        steps = min(MOST, max(6, round(WORK/cells)))
         super().__init__(
             settings, D_over_h, cells, WARM + steps, solver=command[-1]
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases of the cost benchmark: vortices in a closed box, or a tube, of fluid.
+"""Cases of the cost benchmark: vortices in a closed box or tube of fluid.
 
 Lengths are in cells and speeds in that of the vortices, so that a time step of
 0.5 is a Courant number of 0.5 where the cells have the size 1."""
@@ -66,21 +66,24 @@ class Tube:
         )
 
 
-def bodies(mesh, number, diameter):
-    """Entry of random neutrally buoyant grains, clear of the walls."""
-    margin = 0.5*diameter + 2
+def bodies(mesh, number, diameter, fixed=False):
+    """Entry of random grains, clear of the walls."""
+    margin = diameter
     low = [x + margin for x in mesh.low] + [0]*(3 - len(mesh.low))
     high = [x - margin for x in mesh.high] + [0]*(3 - len(mesh.low))
+    motion = (
+        "motion { type fixed; }" if fixed else
+        "densityRatio 3; velocity ambient;"
+    )
     shape = "sphere" if len(mesh.low) == 3 else "disc"
     return f"""
     grain
     {{
         shape        {{ type {shape}; radius {diameter/2}; }}
-        densityRatio 1;
-        velocity     ambient;
+        {motion}
         random
         {{
-            number {number}; seed 1; gap 2;
+            number {number}; seed 1; gap {diameter/2};
             min ({low[0]} {low[1]} {low[2]});
             max ({high[0]} {high[1]} {high[2]});
         }}
@@ -127,5 +130,9 @@ def make(folder, mesh, name):
         "system/fvSchemes", "none;",
         "none;\n    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
     )
+    if isinstance(mesh, Box):
+        # Nothing to correct; for all solvers alike
+        file = case.path/"system/fvSchemes"
+        file.write_text(file.read_text().replace("corrected", "orthogonal"))
     case.replace("constant/transportProperties", "0.1;", f"{VISCOSITY};")
     return case
