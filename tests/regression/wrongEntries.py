@@ -85,6 +85,29 @@ WRONG = {
         ["'velocity'", "'disc'", "out of the plane", FILE],
     ),
 
+    # Orientation
+    "orientation out of the plane": (
+        FILE, BODY,
+        BODY + " orientation { type axisAngle; axis (0 1 0); angle 20; }",
+        ["'orientation' in 'disc'", "out of the plane", "(0 0 1)", FILE],
+    ),
+    "type of orientation": (
+        FILE, BODY, BODY + " orientation { type axisangle; }",
+        ["'type axisangle'", "nearest valid one is 'axisAngle'", FILE],
+    ),
+    "keyword of orientation": (
+        FILE, BODY,
+        BODY + " orientation { type axisAngle; axes (0 0 1); angle 20; }",
+        ["'axes'", "nearest valid one is 'axis'", "'orientation'", FILE],
+    ),
+    "orientation in one word": (
+        FILE, BODY, BODY + " orientation turned;",
+        ["'orientation' in 'disc'", "'random'", "axisAngle", FILE],
+    ),
+    "random orientation without a seed": (
+        FILE, BODY, BODY + " orientation random;", ["seed", FILE],
+    ),
+
     # Steady state
     "keyword of steady": (
         FILE, "bodies\n", "steady { tolerence 1e-4; }\nbodies\n",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyPlacement.H"
+#include "bodyOrientation.H"
 #include "checkKeywords.H"
 #include "IFstream.H"
-#include "Random.H"
 
 namespace
 {
@@ -58,15 +58,13 @@ Foam::pointField Foam::bodyPlacement::randomPositions
 (
     const dictionary& dict,
     const scalar radius,
-    const UPtrList<immersedBody>& others
+    const UPtrList<immersedBody>& others,
+    Random& random
 ) const
 {
-    keywords::check(dict, {"number", "min", "max", "gap", "seed"});
-
     const label number = label(keywords::positive(dict, "number"));
     const point lower(dict.get<point>("min")), upper(dict.get<point>("max"));
     const scalar gap = dict.lookupOrDefault<scalar>("gap", 0);
-    Random random(dict.get<label>("seed"));
 
     const label maxTries = 1000*number;
     DynamicList<point> found(number);
@@ -102,7 +100,8 @@ Foam::pointField Foam::bodyPlacement::positions
 (
     const dictionary& dict,
     const scalar radius,
-    const UPtrList<immersedBody>& others
+    const UPtrList<immersedBody>& others,
+    autoPtr<Random>& random
 ) const
 {
     wordList given;
@@ -133,7 +132,10 @@ Foam::pointField Foam::bodyPlacement::positions
     }
     if (given[0] == "random")
     {
-        return randomPositions(dict.subDict("random"), radius, others);
+        return randomPositions
+        (
+            dict.subDict("random"), radius, others, *random
+        );
     }
 
     fileName file(dict.get<fileName>("positionsFile"));
@@ -159,6 +161,8 @@ void Foam::bodyPlacement::place
 {
     wordList valid(immersedBody::keywords);
     valid.append(placements);
+    valid.append(word("orientation"));
+    valid.append(word("seed"));
 
     for (const entry& e : dict)
     {
@@ -172,15 +176,22 @@ void Foam::bodyPlacement::place
 
         const dictionary& bodyDict = e.dict();
         keywords::check(bodyDict, valid);
+        keywords::check
+        (
+            bodyDict.subOrEmptyDict("random"),
+            {"number", "min", "max", "gap", "seed"}
+        );
 
         const std::shared_ptr<const bodyShape> shape
         (
             bodyShape::New(bodyDict.subDict("shape"), space_).ptr()
         );
+        autoPtr<Random> random(bodyOrientation::generator(bodyDict));
         const pointField x
         (
-            positions(bodyDict, shape->boundingRadius(), bodies)
+            positions(bodyDict, shape->boundingRadius(), bodies, random)
         );
+        const bool turned = bodyOrientation::isRandom(bodyDict);
 
         forAll(x, i)
         {
@@ -191,9 +202,19 @@ void Foam::bodyPlacement::place
               : word(e.keyword() + Foam::name(i + 1))
             );
 
+            const quaternion orientation
+            (
+                turned
+              ? bodyOrientation::draw(*random, space_)
+              : bodyOrientation::read(bodyDict, space_)
+            );
+
             bodies.append
             (
-                new immersedBody(name, bodyDict, shape, space_, x[i], rho_)
+                new immersedBody
+                (
+                    name, bodyDict, shape, space_, x[i], rho_, orientation
+                )
             );
         }
     }

@@ -10,7 +10,8 @@ Foam::immersedBody::immersedBody
     const std::shared_ptr<const bodyShape>& shape,
     const geometricSpace& space,
     const point& position,
-    const scalar rho
+    const scalar rho,
+    const quaternion& orientation
 )
 :
     name_(name),
@@ -27,6 +28,7 @@ Foam::immersedBody::immersedBody
     ddtFluid_{Zero, Zero}
 {
     state_.position = space.inPlane(position);
+    state_.orientation = orientation;
 
     readMotion(dict);
 

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Force and torque on a square in a channel, along and across the mesh."""
 
-import math
-
 from bodyCase import BodyCase
-from boxMesh import HEADER, graded
+from boxMesh import graded
 from dfgChannel import DIAMETER, HEIGHT, LENGTH
 from measure import DEPTH, Run, around
 from peers import freefem
@@ -37,26 +35,6 @@ def figures(result, Re, angle, loads):
         yield result.row(name, factor*load, factor*reference)
 
 
-def turn(case, body, angle):
-    """Start with the body turned by an angle: by the state of a run, as no
-    entry of immersedBodyProperties sets it."""
-    half = math.radians(angle)/2
-    state = f"""
-        position        ({X} {Y} 0);
-        orientation     ({math.cos(half):.17g} (0 0 {math.sin(half):.17g}));
-        velocity        (0 0 0);
-        angularVelocity (0 0 0);
-        fluidMomentum   (0 0 0);
-        fluidAngularMomentum (0 0 0);
-    """
-    file = case.path / "0/uniform/immersedBodies"
-    file.parent.mkdir()
-    file.write_text(HEADER.replace("blockMeshDict", "immersedBodies") + f"""
-        window {{ velocity (0 0 0); displacement (0 0 0); }}
-        bodies {{ {body} {{ {state} old {{ {state} }} }} }}
-    """)
-
-
 def square(folder, Re, angle, cells, offset, model="exponential"):
     """The run, and its loads per unit depth and density."""
     h = DIAMETER/cells
@@ -80,10 +58,10 @@ def square(folder, Re, angle, cells, offset, model="exponential"):
         {{
             shape {{ type box; size ({DIAMETER} {DIAMETER} 1); }}
             position    ({X} {Y} 0);
+            orientation {{ type axisAngle; axis (0 0 1); angle {angle}; }}
             motion      {{ type fixed; }}
         }}
     """, f"steady {{}}\nresistance {{ type {model}; }}")
-    turn(case, "square", angle)
     case.controls(endTime="200", deltaT="0.04")
     run = Run(case, settings, cells, n, may_fail=True)
     if run.failed:
