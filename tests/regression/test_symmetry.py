@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A body that a plane of symmetry cuts moves as the whole one does."""
+"""A body that a plane of symmetry cuts is like the whole one."""
 
 import pytest
 
@@ -47,3 +47,39 @@ def test_half_a_body(tmp_path):
 def test_a_body_that_would_leave_the_plane(tmp_path):
     with pytest.raises(FoamError, match="cut by a plane of symmetry"):
         speed(tmp_path, True, across=0.3)
+
+
+def held(folder, half):
+    """Tables of the loads on a held square, and the log, to a steady state."""
+    case = BodyCase("tube", folder, f"held{half}")
+    y = uniform(0, 1, 10) if half else uniform(-1, 1, 20)
+    boxMesh.write(case, uniform(-1, 1, 20), y, None, PATCHES[half])
+    if half:
+        case.set_symmetry("middle")
+    case.run("blockMesh")
+    case.run("setExprFields")
+    case.bodies("""
+        square
+        {
+            shape       { type box; size (0.4 0.4 1); }
+            orientation { type axisAngle; axis (0 0 1); angle 45; }
+            position    (-0.2 0 0);
+            motion      { type fixed; }
+        }
+    """, "steady {}")
+    case.controls(endTime="50", deltaT="0.1")
+    log = case.solve()
+    return case.table("forces"), log
+
+
+def test_loads_are_those_of_the_whole_body(tmp_path):
+    half, log = held(tmp_path, True)
+    whole, _ = held(tmp_path, False)
+
+    # The pressure on the cells of one half is no load across the plane
+    assert "Steady state" in log
+    assert abs(half["fluidForce_y"]).max() == 0
+    assert abs(half["fluidTorque_z"]).max() == 0
+    assert half["fluidForce_x"][-1] == pytest.approx(
+        whole["fluidForce_x"][-1], rel=2e-4
+    )

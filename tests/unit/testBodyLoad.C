@@ -207,6 +207,45 @@ TEST_CASE("The block of uniform mass is mass and inertia", "[bodyLoad]")
 }
 
 
+TEST_CASE("The load of one half is made that of both", "[bodyLoad]")
+{
+    // A random half, and the same with its mirror image
+    const direction k = GENERATE(0, 1, 2);
+    RandomNumbers random;
+    bodyLoad half, whole;
+
+    auto mirror = [&](vector x)
+    {
+        x[k] *= -1;
+        return x;
+    };
+
+    for (int i = 0; i < 5; ++i)
+    {
+        const vector ri(random.vector()), rj(random.vector());
+        const vector q(random.vector()), U(random.vector());
+        const scalar a = random.number(), w = random.number();
+
+        for (bodyLoad* load : {&half, &whole})
+        {
+            load->addForce(ri, q);
+            load->addResponse(a, ri, rj);
+            load->addFluid(0.1, w, ri, U);
+        }
+        whole.addForce(mirror(ri), mirror(q));
+        whole.addResponse(a, mirror(ri), mirror(rj));
+        whole.addFluid(0.1, w, mirror(ri), mirror(U));
+    }
+
+    CHECK(loadDifference(half, whole) > 0.1);
+
+    half.scale(2, true);
+    half.symmetrise(k);
+
+    CHECK(loadDifference(half, whole) == near(0));
+}
+
+
 TEST_CASE("A packed load is unpacked to the last bit", "[bodyLoad]")
 {
     RandomNumbers random;

@@ -113,6 +113,26 @@ void Foam::bodyLoad::addResponse
 }
 
 
+void Foam::bodyLoad::symmetrise(const direction k)
+{
+    tensor I(inertia);
+
+    force[k] = fluidMomentum[k] = aRow[k] = aCol[k] = 0;
+
+    for (direction j = 0; j < 3; ++j)
+    {
+        if (j != k)
+        {
+            torque[j] = fluidSpin[j] = 0;
+            I(j, k) = I(k, j) = 0;
+            aRowCol(j, k) = aRowCol(k, j) = 0;
+        }
+    }
+
+    inertia = symm(I);
+}
+
+
 void Foam::bodyLoad::scale(const scalar factor, const bool response)
 {
     label i = 0;

@@ -20,6 +20,7 @@ Foam::immersedBody::immersedBody
     densityRatio_(1),
     freeU_(space.translation()),
     freeOmega_(space.rotation()),
+    mirrored_(Zero),
     fixed_(false),
     ambientU_(false),
     ambientOmega_(false),

@@ -107,6 +107,7 @@ void Foam::immersedBody::keepOnPlane(const vector& n)
 
     freeU_ = cmptMultiply(freeU_, vector::one - axis);
     freeOmega_ = cmptMultiply(freeOmega_, axis);
+    mirrored_ = max(mirrored_, axis);
 }
 
 
@@ -220,6 +221,14 @@ Foam::scalar Foam::immersedBody::correctVelocity
 {
     load_ = load;
 
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (mirrored_[k] > 0.5)
+        {
+            load_.symmetrise(k);
+        }
+    }
+
     const rigidMomentum ddtBody
     (
         ddt(momentum(state_), momentum(old_), momentum(oldOld_))
@@ -232,9 +241,9 @@ Foam::scalar Foam::immersedBody::correctVelocity
         return 0;
     }
 
-    fluid_ = fluidMomentum(load);
+    fluid_ = fluidMomentum(load_);
 
-    scalarSquareMatrix J(jacobian(load, ddt.c));
+    scalarSquareMatrix J(jacobian(load_, ddt.c));
     const rigidMomentum ddtInside(ddt(fluid_, fluidOld_, fluidOldOld_));
 
     if (lightU_)
@@ -251,8 +260,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
         densityRatio_*ddtBody - ddtFluid_
       + rigidMomentum
         {
-            load.force - (densityRatio_ - 1)*volume()*g,
-            load.torque
+            load_.force - (densityRatio_ - 1)*volume()*g,
+            load_.torque
         }
     );
 
