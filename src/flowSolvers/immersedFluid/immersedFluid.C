@@ -93,6 +93,8 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         initialise();
     }
 
+    correctViscosity();
+
     bodies_->report(Info);
     Info<< "    skipped: "
         << (bodies_->moving() ? "" : "motion of bodies, ")
@@ -198,8 +200,21 @@ void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
     }
     else if (!uniformViscosity_)
     {
-        laminarTransport.correct();
+        correctViscosity();
         momentumTransport->correct();
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::correctViscosity()
+{
+    laminarTransport.correct();
+
+    if (laminarTransport.get<word>("transportModel") != "Newtonian")
+    {
+        const tmp<volScalarField> tnu(laminarTransport.nu());
+
+        bodies_->region().extrapolate(tnu.constCast());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedRegion.H"
+#include "normalExtrapolation.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::immersedRegion::immersedRegion
@@ -233,6 +234,22 @@ void Foam::immersedRegion::updateVelocity
                *(state.velocity(faceCentres[facei]) & Sf[facei]);
         }
     }
+}
+
+
+void Foam::immersedRegion::extrapolate(volScalarField& nu) const
+{
+    // From 1.5 cells on the shear rate is that of the fluid to a few per cent,
+    // and from two cells an extrapolation is less accurate
+    const scalar start = min(1.5, resistance_->bandWidth() - 1);
+
+    // The logarithm, as it must not change its sign
+    scalarField logNu(log(max(nu.primitiveField(), VSMALL)));
+
+    normalExtrapolation(mesh_, regions_, start).apply(logNu);
+
+    nu.primitiveFieldRef() = exp(logNu);
+    nu.correctBoundaryConditions();
 }
 
 
