@@ -49,23 +49,23 @@ def test_a_body_that_would_leave_the_plane(tmp_path):
         speed(tmp_path, True, across=0.3)
 
 
-def held(folder, half):
+def held(folder, half, angle=45):
     """Tables of the loads on a held square, and the log, to a steady state."""
-    case = BodyCase("tube", folder, f"held{half}")
+    case = BodyCase("tube", folder, f"held{half}{angle}")
     y = uniform(0, 1, 10) if half else uniform(-1, 1, 20)
     boxMesh.write(case, uniform(-1, 1, 20), y, None, PATCHES[half])
     if half:
         case.set_symmetry("middle")
     case.run("blockMesh")
     case.run("setExprFields")
-    case.bodies("""
+    case.bodies(f"""
         square
-        {
-            shape       { type box; size (0.4 0.4 1); }
-            orientation { type axisAngle; axis (0 0 1); angle 45; }
+        {{
+            shape       {{ type box; size (0.4 0.4 1); }}
+            orientation {{ type axisAngle; axis (0 0 1); angle {angle}; }}
             position    (-0.2 0 0);
-            motion      { type fixed; }
-        }
+            motion      {{ type fixed; }}
+        }}
     """, "steady {}")
     case.controls(endTime="50", deltaT="0.1")
     log = case.solve()
@@ -83,3 +83,8 @@ def test_loads_are_those_of_the_whole_body(tmp_path):
     assert half["fluidForce_x"][-1] == pytest.approx(
         whole["fluidForce_x"][-1], rel=2e-4
     )
+
+
+def test_a_body_that_is_not_symmetric(tmp_path):
+    with pytest.raises(FoamError, match="not symmetric .* 'orientation'"):
+        held(tmp_path, True, angle=30)

@@ -4,6 +4,44 @@
 #include "compat.H"
 #include "symmetryPlanes.H"
 
+namespace
+{
+
+//- Largest difference [m] between the signed distances of points of the
+//  display surface and of their images in a plane through the centre with the
+//  normal n
+Foam::scalar asymmetry
+(
+    const Foam::immersedBody& body,
+    const Foam::vector& n
+)
+{
+    using namespace Foam;
+
+    const bodyState& state = body.state();
+    const tensor R(state.orientation.R());
+    pointField points;
+    faceList faces;
+    scalar largest = 0;
+
+    body.shape().surface(points, faces);
+
+    for (const point& X : points)
+    {
+        const vector r(R & X);
+        const scalar d = body.distance(state.position + r);
+        const scalar image =
+            body.distance(state.position + r - 2*(n & r)*n);
+
+        largest = max(largest, mag(d - image));
+    }
+
+    return largest;
+}
+
+} // End anonymous namespace
+
+
 void Foam::immersedBodies::measureCells()
 {
     scalarField inBand(bodies_.size(), Zero);
@@ -101,6 +139,15 @@ void Foam::immersedBodies::findSymmetry()
                     << " symmetry with the normal " << n << ", which must be"
                     << " a coordinate axis; its 'velocity' must be in that"
                     << " plane and its 'angularVelocity' normal to it" << nl
+                    << exit(FatalIOError);
+            }
+
+            if (asymmetry(body, n) > 0.01*body.shape().width())
+            {
+                FatalIOErrorInFunction(dict_.subDict("bodies"))
+                    << "Body '" << body.name() << "' is cut by a plane of"
+                    << " symmetry with the normal " << n << " and is not"
+                    << " symmetric about it; see its 'orientation'" << nl
                     << exit(FatalIOError);
             }
 
