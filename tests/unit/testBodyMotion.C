@@ -48,14 +48,14 @@ TEST_CASE("In fluid that stays at rest a light body rises",
     const scalar dt = 0.01;
     const label n = 5;
 
-    // The Newton step is damped by half the displaced mass: slow if that is
-    // much more than the body's own
+    // The Newton step is damped by the added mass: slow if that is much more
+    // than the body's own
     const label repeats = ratio < 0.1 ? 20 : 1;
     for (label i = 0; i < n; ++i)
     {
         const ddtCoefficients ddt(scheme, dt, i == 0 ? GREAT : dt);
         body.beginStep();
-        for (label outer = 0; outer < 80*repeats; ++outer)
+        for (label outer = 0; outer < 160*repeats; ++outer)
         {
             body.correctVelocity
             (

@@ -147,6 +147,33 @@ Foam::labelList Foam::cellSearch::cellsAround
 }
 
 
+Foam::label Foam::cellSearch::findCell(const point& x) const
+{
+    if (!mesh_.nCells())
+    {
+        return -1;
+    }
+
+    const label nearest = tree().findNearest(x, sqr(GREAT)).index();
+
+    if (contains(nearest, x))
+    {
+        return nearest;
+    }
+
+    // Next to smaller cells, whose centres are nearer
+    for (const label celli : cellsAround(x, 4*hMax(nearest)))
+    {
+        if (contains(celli, x))
+        {
+            return celli;
+        }
+    }
+
+    return -1;
+}
+
+
 bool Foam::cellSearch::matched(const polyPatch& patch)
 {
     return isA<processorPolyPatch>(patch) || isA<cyclicPolyPatch>(patch);

@@ -212,7 +212,7 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
     forAll(bodies_, bodyi)
     {
         const point& x = bodies_[bodyi].state().position;
-        const label celli = mesh_.findCell(x);
+        const label celli = region_.search().findCell(x);
 
         if (celli >= 0)
         {

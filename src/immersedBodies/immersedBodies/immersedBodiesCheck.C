@@ -93,7 +93,7 @@ void Foam::immersedBodies::checkInside() const
         const immersedBody& body = bodies_[bodyi];
 
         found[bodyi] =
-            mesh_.findCell(body.state().position) >= 0
+            region_.search().findCell(body.state().position) >= 0
          || (body.isFixed() && !region_.region(bodyi).cells.empty());
     }
 
