@@ -87,3 +87,26 @@ def test_another_solver_where_the_coefficient_varies(tmp_path):
     assert log.count("not solved directly: the coefficient") == 1
     assert "DICPCG:  Solving for p" in log
     assert fields["usual"] == fields["varies"]
+
+
+def test_closed_box_of_unit_cells(tmp_path):
+    # The constant mode is singular, here without any rounding
+    case = BodyCase("box", tmp_path, "unit")
+    case.mesh(*3*[uniform(0, 8, 8)])
+    case.replace("system/fvSolution", "GAMG;", FAST)
+    case.bodies("""
+        sphere
+        {
+            shape       { type sphere; radius 2; }
+            densityRatio 2;
+            position    (4 4 4);
+            velocity    (0.1 0 0);
+        }
+    """)
+    case.controls(endTime="0.06")
+    fields = []
+    for ranks in (1, 2):
+        log = case.solve(ranks)
+        assert "dp: 8 x 8 x 8 cells: tridiagonal" in log
+        fields.append(case.table("motion")["velocity_x"][-1])
+    assert fields[1] == pytest.approx(fields[0], rel=1e-6)

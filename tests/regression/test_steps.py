@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time steps that do not converge: a disc of a hundredth of the fluid's
-density, thrown into a flow of little viscosity, Courant numbers of 1.5 and 6."""
+"""Time steps that do not converge: a disc of a hundredth of the fluid's density,
+thrown into a flow of little viscosity, Courant numbers of 1.5 and 6."""
 
 import re
 

@@ -186,9 +186,17 @@ bool Foam::bodyRegion::update
 
     c4.setSize(cells.size());
 
+    // In the far part of the layer, and deep inside, its few per cent of the
+    // resistance are of no effect
+    const scalar inside = -2, outside = 3, mean = 0.7;
+
     forAll(cells, i)
     {
-        c4[i] = search.c4(cells[i], normal[i]);
+        const scalar d = distance[i]/h[i];
+
+        c4[i] = d > inside && d < outside
+          ? search.c4(cells[i], normal[i])
+          : mean;
     }
 
     resistance.setSize(cells.size());

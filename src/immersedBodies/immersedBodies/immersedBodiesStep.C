@@ -132,7 +132,6 @@ Foam::scalar Foam::immersedBodies::correct
     }
 
     window_.follow(bodies_);
-    region_.updateVelocity(bodies_);
 
     return change;
 }

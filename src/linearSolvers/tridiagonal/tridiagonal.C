@@ -23,13 +23,13 @@ Foam::tridiagonal::tridiagonal
         for (label m = 0; m < nModes_; ++m)
         {
             const scalar before = t > 0 ? sqr(off_[t - 1])*now[m - nModes_] : 0;
-            now[m] = 1/(diag[t] + lambda[m] - before);
-        }
-    }
 
-    if (singular)
-    {
-        inverse_[(n_ - 1)*nModes_] = 0;
+            // The last pivot of the constant mode is zero, or what rounding
+            // makes of it
+            now[m] = singular && t == n_ - 1 && m == 0
+              ? 0
+              : 1/(diag[t] + lambda[m] - before);
+        }
     }
 }
 

@@ -68,7 +68,7 @@ class Tube:
 
 def bodies(mesh, number, diameter, fixed=False):
     """Entry of random grains, clear of the walls."""
-    margin = diameter
+    margin = diameter + 6
     low = [x + margin for x in mesh.low] + [0]*(3 - len(mesh.low))
     high = [x - margin for x in mesh.high] + [0]*(3 - len(mesh.low))
     motion = (
@@ -83,7 +83,7 @@ def bodies(mesh, number, diameter, fixed=False):
         {motion}
         random
         {{
-            number {number}; seed 1; gap {diameter/2};
+            number {number}; seed 1; gap {0.375*diameter};
             min ({low[0]} {low[1]} {low[2]});
             max ({high[0]} {high[1]} {high[2]});
         }}
