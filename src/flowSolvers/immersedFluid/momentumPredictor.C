@@ -41,6 +41,13 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
     }
 
     // As there, without the fields and matrices of what a case does not have
+    const bool rotating = MRF.MRFZoneList::size();
+
+    if (rotating)
+    {
+        MRF.correctBoundaryVelocity(U_);
+    }
+
     tmp<fvVectorMatrix> tEqn(fvm::ddt(U_));
     fvVectorMatrix& eqn = tEqn.ref();
 
@@ -50,9 +57,8 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
     }
     eqn += divDevSigma();
 
-    if (MRF.MRFZoneList::size())
+    if (rotating)
     {
-        MRF.correctBoundaryVelocity(U_);
         eqn += MRF.DDt(U_);
     }
     addOptions(eqn);
