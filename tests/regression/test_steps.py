@@ -38,7 +38,7 @@ def prepare(tube, folder, n_outer, deltaT):
 
 def test_a_step_is_repeated_with_half_its_length(tube, tmp_path):
     deltaT = 0.05
-    case = prepare(tube, tmp_path, 6, deltaT)
+    case = prepare(tube, tmp_path, 3, deltaT)
     log = case.solve()
     repeats = re.findall(r"Time = (\S+), repeated with deltaT = (\S+)", log)
     assert len(repeats) == 1

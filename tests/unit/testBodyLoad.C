@@ -34,8 +34,8 @@ bodyLoad randomLoad(RandomNumbers& random)
         const vector ri(random.vector()), rj(random.vector());
         load.addForce(ri, random.vector());
         load.addResponse(random.number(), ri, rj);
-        load.addFluid(random.number(), random.number(), ri, random.vector());
     }
+    load.volume = random.number();
     load.slip = random.number();
 
     return load;
@@ -49,12 +49,7 @@ scalar loadDifference(const bodyLoad& x, const bodyLoad& y)
     {
         difference(x.force, y.force),
         difference(x.torque, y.torque),
-        difference(x.fluidMomentum, y.fluidMomentum),
-        difference(x.fluidSpin, y.fluidSpin),
-        difference(x.inertia, y.inertia),
         mag(x.volume - y.volume),
-        mag(x.imposedVolume - y.imposedVolume),
-        mag(x.imposedInertia - y.imposedInertia),
         mag(x.slip - y.slip),
         difference(x.aRow, y.aRow),
         difference(x.aCol, y.aCol),
@@ -79,42 +74,6 @@ TEST_CASE("Forces add up, torques are about the centre", "[bodyLoad]")
 }
 
 
-TEST_CASE("Fluid in rigid motion has its momentum", "[bodyLoad]")
-{
-    RandomNumbers random;
-    const vector U(random.vector()), omega(random.vector());
-    const scalar w = 0.25;
-    bodyLoad load;
-    scalar volume = 0, polar = 0;
-    vector first(Zero);
-
-    for (int i = 0; i < 10; ++i)
-    {
-        const vector r(random.vector());
-        const scalar V = 2 + random.number();
-        load.addFluid(V, w, r, U + (omega^r));
-        volume += V;
-        polar += V*magSqr(r);
-        first += V*r;
-    }
-
-    CHECK(load.volume == near(volume));
-    CHECK(load.imposedVolume == near(w*volume));
-    CHECK(tr(load.inertia) == near(2*polar));
-    CHECK(load.imposedInertia == near(w*tr(load.inertia)));
-    CHECK(difference
-    (
-        load.fluidMomentum,
-        volume*U + (omega^first)
-    ) < 1e-12);
-    CHECK(difference
-    (
-        load.fluidSpin,
-        (load.inertia & omega) + (first^U)
-    ) < 1e-12);
-}
-
-
 TEST_CASE("Clearing leaves nothing behind", "[bodyLoad]")
 {
     RandomNumbers random;
@@ -123,7 +82,6 @@ TEST_CASE("Clearing leaves nothing behind", "[bodyLoad]")
 
     load.clearLoad();
     CHECK(load.force == vector::zero);
-    CHECK(load.inertia == symmTensor::zero);
     CHECK(load.slip == 0);
     CHECK(load.aRowCol == before.aRowCol);
 
@@ -223,18 +181,18 @@ TEST_CASE("The load of one half is made that of both", "[bodyLoad]")
     for (int i = 0; i < 5; ++i)
     {
         const vector ri(random.vector()), rj(random.vector());
-        const vector q(random.vector()), U(random.vector());
-        const scalar a = random.number(), w = random.number();
+        const vector q(random.vector());
+        const scalar a = random.number();
 
         for (bodyLoad* load : {&half, &whole})
         {
             load->addForce(ri, q);
             load->addResponse(a, ri, rj);
-            load->addFluid(0.1, w, ri, U);
+            load->volume += 0.1;
         }
         whole.addForce(mirror(ri), mirror(q));
         whole.addResponse(a, mirror(ri), mirror(rj));
-        whole.addFluid(0.1, w, mirror(ri), mirror(U));
+        whole.volume += 0.1;
     }
 
     CHECK(loadDifference(half, whole) > 0.1);

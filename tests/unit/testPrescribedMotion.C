@@ -26,7 +26,7 @@ const std::string sine
 //- Time steps from t = 0, with loads that must not matter
 void move(immersedBody& body, const scalar dt, const label n)
 {
-    bodyLoad load(fluidInside({7, 7, 0}, {0, 0, 7}, 1));
+    bodyLoad load;
     load.addForce({0.1, 0.2, 0}, {1, 2, 0});
 
     for (label i = 1; i <= n; ++i)

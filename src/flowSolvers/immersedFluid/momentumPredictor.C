@@ -190,7 +190,12 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     tUEqn = assembleMomentum();
     A0_ = tUEqn().A();
-    bodies_->updateResistance(A0_(), viscosity());
+    bodies_->updateResistance
+    (
+        ddtCoefficients(mesh_, U_.name()),
+        A0_(),
+        viscosity()
+    );
 
     fvVectorMatrix UEqn(tUEqn());
 

@@ -63,6 +63,7 @@ void Foam::immersedBodies::predict()
 
 void Foam::immersedBodies::updateResistance
 (
+    const ddtCoefficients& ddt,
     const scalarField& A0,
     const scalarField& nu
 )
@@ -70,7 +71,7 @@ void Foam::immersedBodies::updateResistance
     addProfiling(resistance, "immersedBodies::updateResistance");
 
     region_.updateResistance(bodies_, A0, nu);
-    region_.updateVelocity(bodies_);
+    region_.updateVelocity(bodies_, ddt);
 }
 
 
@@ -111,7 +112,7 @@ Foam::scalar Foam::immersedBodies::correct
 {
     addProfiling(correct, "immersedBodies::correct");
 
-    region_.load(bodies_, E0, A0, U, gradP, dU, response, loads_);
+    region_.load(bodies_, ddt, E0, A0, U, gradP, dU, response, loads_);
 
     forAll(loads_, bodyi)
     {

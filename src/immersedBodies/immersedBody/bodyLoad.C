@@ -25,16 +25,8 @@ void forEach(Load& load, Function f)
     {
         f(load.force[i]);
         f(load.torque[i]);
-        f(load.fluidMomentum[i]);
-        f(load.fluidSpin[i]);
-    }
-    for (Foam::direction i = 0; i < 6; ++i)
-    {
-        f(load.inertia[i]);
     }
     f(load.volume);
-    f(load.imposedVolume);
-    f(load.imposedInertia);
     f(load.slip);
 
     f(load.a);
@@ -61,9 +53,8 @@ Foam::bodyLoad::bodyLoad()
 
 void Foam::bodyLoad::clearLoad()
 {
-    force = torque = fluidMomentum = fluidSpin = Zero;
-    inertia = Zero;
-    volume = imposedVolume = imposedInertia = slip = 0;
+    force = torque = Zero;
+    volume = slip = 0;
 }
 
 
@@ -79,23 +70,6 @@ void Foam::bodyLoad::addForce(const vector& r, const vector& q)
 {
     force += q;
     torque += r^q;
-}
-
-
-void Foam::bodyLoad::addFluid
-(
-    const scalar V,
-    const scalar w,
-    const vector& r,
-    const vector& U
-)
-{
-    volume += V;
-    imposedVolume += w*V;
-    inertia += V*(magSqr(r)*symmTensor::I - sqr(r));
-    imposedInertia += w*V*2*magSqr(r);
-    fluidMomentum += V*U;
-    fluidSpin += V*(r^U);
 }
 
 
@@ -115,21 +89,16 @@ void Foam::bodyLoad::addResponse
 
 void Foam::bodyLoad::symmetrise(const direction k)
 {
-    tensor I(inertia);
-
-    force[k] = fluidMomentum[k] = aRow[k] = aCol[k] = 0;
+    force[k] = aRow[k] = aCol[k] = 0;
 
     for (direction j = 0; j < 3; ++j)
     {
         if (j != k)
         {
-            torque[j] = fluidSpin[j] = 0;
-            I(j, k) = I(k, j) = 0;
+            torque[j] = 0;
             aRowCol(j, k) = aRowCol(k, j) = 0;
         }
     }
-
-    inertia = symm(I);
 }
 
 

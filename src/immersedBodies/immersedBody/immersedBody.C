@@ -24,9 +24,7 @@ Foam::immersedBody::immersedBody
     fixed_(false),
     ambientU_(false),
     ambientOmega_(false),
-    lightU_(false),
-    lightOmega_(false),
-    ddtFluid_{Zero, Zero}
+    ddtMomentum_{Zero, Zero}
 {
     state_.position = space.inPlane(position);
     state_.orientation = orientation;
@@ -42,7 +40,6 @@ void Foam::immersedBody::restart()
 {
     old_ = oldOld_ = state_;
     trendU_ = trendOmega_ = Zero;
-    fluid_ = fluidOld_ = fluidOldOld_ = momentum(state_);
 }
 
 

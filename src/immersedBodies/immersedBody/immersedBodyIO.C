@@ -204,15 +204,10 @@ void Foam::immersedBody::readState(const dictionary& dict)
     const dictionary& old = dict.subDict("old");
 
     state_ = bodyState(dict);
-    fluid_.linear = dict.get<vector>("fluidMomentum");
-    fluid_.angular = dict.get<vector>("fluidAngularMomentum");
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
 
     old_ = oldOld_ = bodyState(old);
-    fluidOld_.linear = old.get<vector>("fluidMomentum");
-    fluidOld_.angular = old.get<vector>("fluidAngularMomentum");
-    fluidOldOld_ = fluidOld_;
 
     // The previous run may have moved it
     if (fixed_)
@@ -231,15 +226,11 @@ void Foam::immersedBody::writeState(Ostream& os) const
     os.beginBlock(name_);
 
     state_.write(os);
-    os.writeEntry("fluidMomentum", fluid_.linear);
-    os.writeEntry("fluidAngularMomentum", fluid_.angular);
     os.writeEntry("velocityTrend", trendU_);
     os.writeEntry("angularVelocityTrend", trendOmega_);
 
     os.beginBlock("old");
     old_.write(os);
-    os.writeEntry("fluidMomentum", fluidOld_.linear);
-    os.writeEntry("fluidAngularMomentum", fluidOld_.angular);
     os.endBlock();
 
     os.endBlock();

@@ -72,9 +72,6 @@ void Foam::immersedBody::beginStep(const scalar ratio)
     oldOld_ = old_;
     old_ = state_;
 
-    fluidOldOld_ = fluidOld_;
-    fluidOld_ = fluid_;
-
     if (isFree())
     {
         state_.U += ratio*trendU_;
@@ -95,9 +92,6 @@ void Foam::immersedBody::undoStep()
 {
     state_ = old_;
     old_ = oldOld_;
-
-    fluid_ = fluidOld_;
-    fluidOld_ = fluidOldOld_;
 }
 
 
@@ -128,6 +122,18 @@ void Foam::immersedBody::predictPose
 }
 
 
+Foam::rigidAcceleration
+Foam::immersedBody::acceleration(const ddtCoefficients& ddt) const
+{
+    return rigidAcceleration
+    {
+        ddt(state_.U, old_.U, oldOld_.U),
+        ddt(state_.omega, old_.omega, oldOld_.omega),
+        state_.omega
+    };
+}
+
+
 Foam::rigidMomentum
 Foam::immersedBody::momentum(const bodyState& state) const
 {
@@ -135,68 +141,23 @@ Foam::immersedBody::momentum(const bodyState& state) const
 }
 
 
-Foam::rigidMomentum
-Foam::immersedBody::fluidMomentum(const bodyLoad& load) const
-{
-    // Mean velocity and spin of the fluid, as cells cut by the surface do not
-    // add up to volume and inertia exactly
-    bodyState mean(state_);
-
-    mean.U = load.fluidMomentum/load.volume;
-    mean.omega = inv(load.inertia) & load.fluidSpin;
-
-    return momentum(mean);
-}
-
-
-bool Foam::immersedBody::isLight
-(
-    const scalar response,
-    const scalar ddtInertia
-) const
-{
-    // Without the momentum of the fluid inside, time steps have been seen to
-    // amplify spin where less than about 0.4 of the inertia is left (disc of
-    // four cells, r = 0.5), or r is below 0.4 whatever is left
-    return
-        densityRatio_ < 0.45
-     || response + (densityRatio_ - 1)*ddtInertia < 0.6*ddtInertia;
-}
-
-
 Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 (
     const bodyLoad& load,
     const scalar ddtCoeff
-)
+) const
 {
-    // Added mass, which the projection adds to the response of the momentum
-    // equation within a step: that of a disc, of a sphere
-    const scalar addedMass = space_.twoD() ? 1 : 0.5;
+    // The fluid inside is in the load already, hence r - 1. The projection adds
+    // to the response of the momentum equation (added mass), without which the
+    // step of a light body would be too long: half of that of a disc.
+    const scalar lightness = max(1 - densityRatio_, 0);
     const tensor I(inertia(state_));
     scalarSquareMatrix J(load.block());
 
-    // Fluid inside counts with the part of the motion imposed on it where its
-    // own momentum is in the balance, else in full
-    lightU_ = isLight(load.a, ddtCoeff*volume());
-
-    const vector axes(space_.rotation());
-    const vector response(J(3, 3), J(4, 4), J(5, 5));
-
-    lightOmega_ = isLight(response & axes, ddtCoeff*tr(I));
-
-    const scalar mass = ddtCoeff*volume()
-       *(
-            lightU_
-          ? densityRatio_ - load.imposedVolume/load.volume + addedMass
-          : densityRatio_ - 1
-        );
-    const scalar inertiaRatio = ddtCoeff
-       *(
-            lightOmega_
-          ? densityRatio_ - load.imposedInertia/tr(load.inertia)
-          : densityRatio_ - 1
-        );
+    const scalar mass =
+        ddtCoeff*volume()*(densityRatio_ - 1 + 0.5*lightness);
+    const scalar inertiaRatio =
+        ddtCoeff*(densityRatio_ - 1 + 0.1*lightness);
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -229,35 +190,17 @@ Foam::scalar Foam::immersedBody::correctVelocity
         }
     }
 
-    const rigidMomentum ddtBody
-    (
-        ddt(momentum(state_), momentum(old_), momentum(oldOld_))
-    );
-
-    ddtFluid_ = ddtBody;
+    ddtMomentum_ = ddt(momentum(state_), momentum(old_), momentum(oldOld_));
 
     if (!isFree())
     {
         return 0;
     }
 
-    fluid_ = fluidMomentum(load_);
-
     scalarSquareMatrix J(jacobian(load_, ddt.c));
-    const rigidMomentum ddtInside(ddt(fluid_, fluidOld_, fluidOldOld_));
-
-    if (lightU_)
-    {
-        ddtFluid_.linear = ddtInside.linear;
-    }
-    if (lightOmega_)
-    {
-        ddtFluid_.angular = ddtInside.angular;
-    }
-
     const rigidMomentum residual
     (
-        densityRatio_*ddtBody - ddtFluid_
+        (densityRatio_ - 1)*ddtMomentum_
       + rigidMomentum
         {
             load_.force - (densityRatio_ - 1)*volume()*g,

@@ -26,6 +26,7 @@ Foam::immersedRegion::immersedRegion
         zeroGradientFvPatchScalarField::typeName
     ),
     KU_(mesh.nCells(), Zero),
+    shieldDU_(mesh.nCells(), Zero),
     shield_(mesh.nCells(), Zero),
     faceShield_(mesh.nFaces(), Zero),
     bodyFlux_(mesh.nFaces(), Zero),
@@ -155,6 +156,7 @@ void Foam::immersedRegion::updateGeometry
 
     UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
     UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
     UIndirectList<scalar>(shield_, cells_) = 0;
     UIndirectList<scalar>(faceShield_, faces_) = 0;
     UIndirectList<scalar>(bodyFlux_, faces_) = 0;
@@ -202,7 +204,8 @@ void Foam::immersedRegion::updateResistance
 
 void Foam::immersedRegion::updateVelocity
 (
-    const PtrList<immersedBody>& bodies
+    const PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt
 )
 {
     const vectorField& centres = mesh_.cellCentres();
@@ -210,11 +213,13 @@ void Foam::immersedRegion::updateVelocity
     const vectorField& Sf = mesh_.faceAreas();
 
     UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
     UIndirectList<scalar>(bodyFlux_, faces_) = 0;
 
     forAll(bodies, bodyi)
     {
         const bodyState& state = bodies[bodyi].state();
+        const rigidAcceleration acceleration(bodies[bodyi].acceleration(ddt));
         const bodyRegion& region = regions_[bodyi];
 
         forAll(region.cells, i)
@@ -223,6 +228,8 @@ void Foam::immersedRegion::updateVelocity
 
             KU_[celli] +=
                 region.resistance[i]*state.velocity(centres[celli]);
+            shieldDU_[celli] +=
+                region.shield[i]*acceleration(centres[celli] - state.position);
         }
 
         forAll(region.faces, i)

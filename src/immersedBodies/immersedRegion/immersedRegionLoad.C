@@ -70,6 +70,7 @@ Foam::vector Foam::immersedRegion::rowH
 void Foam::immersedRegion::load
 (
     const PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
     const fvVectorMatrix& E0,
     const volScalarField& A0,
     const volVectorField& U,
@@ -87,6 +88,7 @@ void Foam::immersedRegion::load
     {
         const bodyRegion& region = regions_[bodyi];
         const bodyState& state = bodies[bodyi].state();
+        const rigidAcceleration acceleration(bodies[bodyi].acceleration(ddt));
         bodyLoad& load = loads[bodyi];
 
         load.clearLoad();
@@ -96,7 +98,7 @@ void Foam::immersedRegion::load
             const label celli = region.cells[i];
             const vector r(mesh_.cellCentres()[celli] - state.position);
             const vector Ub(state.U + (state.omega^r));
-            vector q(region.shield[i]*gradP[celli]);
+            vector q(region.shield[i]*(gradP[celli] + acceleration(r)));
 
             if (region.resistance[i] > 0)
             {
@@ -107,37 +109,24 @@ void Foam::immersedRegion::load
                 q += region.resistance[i]/A
                    *(
                         A0[celli]*Ub + (K[celli]*Ub - KU_[celli]) - H
-                      + (1 - shield_[celli])*gradP[celli]
+                      + (1 - shield_[celli])*gradP[celli] - shieldDU_[celli]
                     );
             }
             load.addForce(r, V[celli]*q);
 
-            const scalar inside = fractionInside(region, i);
+            load.volume += V[celli]*fractionInside(region, i);
 
-            if (inside > 0)
+            // Deeper than a cell, where the layer has come to an end
+            if (region.distance[i] < -region.h[i])
             {
-                const vector Unew(U[celli] - dU[celli]);
-
-                load.addFluid
-                (
-                    V[celli]*inside,
-                    K[celli]/(A0[celli] + K[celli]),
-                    r,
-                    Unew
-                );
-
-                // Deeper than a cell, where the layer has come to an end
-                if (region.distance[i] < -region.h[i])
-                {
-                    load.slip += V[celli]*magSqr(Unew - Ub);
-                }
+                load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
             }
         }
 
         if (response)
         {
             load.clearResponse();
-            addResponse(E0, A0, state.position, region, load);
+            addResponse(ddt.c, E0, A0, state.position, region, load);
         }
     }
 }
@@ -145,6 +134,7 @@ void Foam::immersedRegion::load
 
 void Foam::immersedRegion::addResponse
 (
+    const scalar ddtCoeff,
     const fvVectorMatrix& E0,
     const volScalarField& A0,
     const point& centre,
@@ -164,7 +154,13 @@ void Foam::immersedRegion::addResponse
         const scalar w = region.resistance[i]/(A0[celli] + K[celli]);
 
         weight_[celli] = w;
-        load.addResponse(w*mesh_.V()[celli]*A0[celli], r, r);
+        load.addResponse
+        (
+            mesh_.V()[celli]
+           *(w*A0[celli] + (1 - w)*region.shield[i]*ddtCoeff),
+            r,
+            r
+        );
     }
 
     for (const label facei : region.faces)

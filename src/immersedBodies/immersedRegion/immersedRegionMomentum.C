@@ -33,7 +33,11 @@ void Foam::immersedRegion::penalise
         source[celli] = scale
            *(
                 source[celli]
-              + V[celli]*(KU_[celli] + shield_[celli]*gradP[celli])
+              + V[celli]
+               *(
+                    KU_[celli] + shield_[celli]*gradP[celli]
+                  + shieldDU_[celli]
+                )
             );
 
         for (const label facei : mesh_.cells()[celli])

@@ -107,6 +107,7 @@ def make(folder, mesh, name):
         case.replace(
             f"0/{field}", f"walls   {{ type {condition}; }}", WALLS % condition
         )
+    (case.path/"constant/g").unlink()
     mesh.write(case)
     case.run("blockMesh")
 
