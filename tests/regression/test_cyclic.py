@@ -1,59 +1,120 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies on cyclic patches, their images listed."""
+"""Bodies that cyclic patches cut: arrays, where place does not matter."""
 
+import numpy as np
 import pytest
 
-from foamCase import FoamError
+from bodyCase import BodyCase
 from periodicBox import periodic_case, superficial_speed
+from periodicTube import direct_pressure
 
-FIXED = "constraints { translate (0 0 0); rotate (0 0 0); }"
-CELLS = 16
-
-
-def solve(folder, name, positions, ranks=1, by_force=False):
-    """Flow rate through an array of discs, one per box."""
-    case = periodic_case(folder, name, CELLS, 2, 30, by_force)
-    case.replace(
-        "system/fvSchemes", "div(phi,U)          Gauss linear",
-        "div(phi,U)          none",
-    )
-    case.bodies(f"""
-        disc
-        {{
-            shape {{ type disc; radius 0.2; }}
-            positions ({positions});
-            {FIXED}
-        }}
-    """)
-    case.controls(endTime="80", deltaT="0.05")
-    # Cut so that the patch of the flow rate stays whole
-    case.solve(ranks, (1, ranks, 1))
-    return superficial_speed(case, 0.1)[-1]
+CELLS = {2: 16, 3: 12}
+SHAPES = {2: "disc; radius 0.2", 3: "sphere; radius 0.3"}
+# Of the centre in its cell
+OFFSET = np.array([0.3, 0.4, 0.2])
+PLACES = {
+    "corner": (0, 0, 0),
+    "side": (0.5, 0, 0.5),
+    # Three periods away
+    "beyond": (3.5, -1, 0.5),
+}
 
 
-def test_a_body_on_a_cyclic_patch(tmp_path):
-    """The same as in the middle, on one processor and on two."""
-    x, y = 0.3/CELLS, 0.4/CELLS
-    middle = solve(tmp_path, "middle", f"({0.5 + x} {0.5 + y} 0)")
-    corners = " ".join(
-        f"({x + i} {y + j} 0)" for i in (0, 1) for j in (0, 1)
-    )
-    assert solve(tmp_path, "corner", corners) == pytest.approx(
-        middle, rel=1e-4
-    )
-    assert solve(tmp_path, "ranks", corners, ranks=2) == pytest.approx(
-        middle, rel=1e-4
-    )
+@pytest.fixture(scope="module")
+def boxes(tmp_path_factory):
+    """Periodic boxes, with convection and pressure that falls along x."""
+    cases = {}
+    for dims, cells in CELLS.items():
+        folder = tmp_path_factory.mktemp("boxes")
+        case = periodic_case(folder, f"{dims}D", cells, dims, 30, True)
+        direct_pressure(case)
+        case.controls(endTime="0.3", deltaT="0.02")
+        # No face of its patch may be on a processor
+        path = case.path / "system/controlDict"
+        head, tail = path.read_text().split("flowRate", 1)
+        path.write_text(head + tail.split("}", 1)[1])
+        cases[dims] = case
+    return cases
+
+
+@pytest.fixture(scope="module")
+def loads(boxes, tmp_path_factory):
+    """Force and torque on a body in all steps."""
+    cache = {}
+
+    def get(dims, place, parts=(1, 1, 1), before=""):
+        key = dims, place, parts, before
+        if key in cache:
+            return cache[key]
+        case = BodyCase(boxes[dims], tmp_path_factory.mktemp("run"))
+        x, y, z = np.array(place) + OFFSET/CELLS[dims]
+        case.bodies(f"""
+            body
+            {{
+                shape {{ type {SHAPES[dims]}; }}
+                position ({x:.15g} {y:.15g} {z:.15g});
+                motion {{ type fixed; }}
+            }}
+        """, before)
+        case.solve(int(np.prod(parts)), parts)
+        table = case.table("forces")
+        cache[key] = np.array([
+            table[f"{name}_{i}"] for name in ("fluidForce", "fluidTorque")
+            for i in "xyz"
+        ])
+        return cache[key]
+
+    return get
+
+
+def difference(a, b):
+    return np.abs(a - b).max()/np.abs(a).max()
+
+
+@pytest.mark.parametrize("dims", CELLS)
+@pytest.mark.parametrize("place", PLACES)
+def test_anywhere_is_the_middle(dims, place, loads):
+    middle = loads(dims, (0.5, 0.5, 0.5))
+    assert middle[0, -1] > 0.1
+    assert difference(middle, loads(dims, PLACES[place])) < 1e-9
+
+
+@pytest.mark.parametrize(
+    "dims, parts", [
+        (2, (2, 1, 1)), (2, (1, 2, 1)), (2, (4, 1, 1)), (2, (2, 2, 1)),
+        (3, (1, 2, 1)), (3, (2, 1, 2)),
+    ]
+)
+def test_on_any_number_of_ranks(dims, parts, loads):
+    middle = loads(dims, (0.5, 0.5, 0.5))
+    assert difference(middle, loads(dims, (0, 0, 0), parts)) < 1e-9
+
+
+def test_another_resistance(loads):
+    model = "resistance { type distanceWeighted; }"
+    middle = loads(2, (0.5, 0.5, 0.5), before=model)
+    corner = loads(2, (0, 0, 0), before=model)
+    assert difference(middle, corner) < 1e-9
 
 
 def test_a_body_force_is_a_pressure_gradient(tmp_path):
     """fvOptions: their force acts on the layer as the gradient would."""
-    middle = "(0.52 0.53 0)"
-    assert solve(tmp_path, "force", middle, by_force=True) == pytest.approx(
-        solve(tmp_path, "gradient", middle), rel=1e-3
-    )
-
-
-def test_a_fixed_body_outside_the_mesh(tmp_path):
-    with pytest.raises(FoamError, match="outside the mesh"):
-        solve(tmp_path, "outside", "(2 0.5 0)")
+    speeds = []
+    for name, by_force in (("force", True), ("gradient", False)):
+        case = periodic_case(tmp_path, name, CELLS[2], 2, 30, by_force)
+        case.replace(
+            "system/fvSchemes", "div(phi,U)          Gauss linear",
+            "div(phi,U)          none",
+        )
+        case.bodies("""
+            disc
+            {
+                shape { type disc; radius 0.2; }
+                position (0.02 0.03 0);
+                motion { type fixed; }
+            }
+        """)
+        case.controls(endTime="80", deltaT="0.05")
+        case.solve()
+        speeds.append(superficial_speed(case, 0.1)[-1])
+    assert speeds[0] == pytest.approx(speeds[1], rel=1e-3)

@@ -34,7 +34,12 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (outer_ == 1)
     {
         firstChange_ = change_;
-        speedScale_ = max(fluidSpeed(), change);
+        // In a window the Courant number is that relative to it
+        speedScale_ = max
+        (
+            fluidSpeed() + mag(bodies_->window().velocity()),
+            change
+        );
     }
 
     // Through the mesh, the first iteration knows the pressure of the old pose

@@ -57,6 +57,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         immersed()
      && word(mesh.divScheme("div(phi,U)")) == "none"
     ),
+    flowRate_(findFlowRate()),
     outer_(0),
     converged_(false),
     firstChange_(0),
@@ -101,6 +102,20 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         << (stokes_ ? "convection, " : "")
         << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
         << "contact" << nl << endl;
+}
+
+
+Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
+{
+    for (fv::option& force : static_cast<fv::optionList&>(fvOptions))
+    {
+        if (isA<fv::flowRateForce>(force))
+        {
+            return &refCast<fv::flowRateForce>(force);
+        }
+    }
+
+    return nullptr;
 }
 
 
@@ -161,6 +176,10 @@ void Foam::flowSolvers::immersedFluid::preSolve()
     CoNum = max(CoNum, bodies_->courantNo());
     adjustDeltaT();
     retry_.begin(adjustTimeStep);
+    if (flowRate_)
+    {
+        flowRate_->beginStep();
+    }
 
     outer_ = 0;
     converged_ = false;

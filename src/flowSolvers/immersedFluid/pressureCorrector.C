@@ -78,6 +78,22 @@ void Foam::flowSolvers::immersedFluid::project
 }
 
 
+void Foam::flowSolvers::immersedFluid::holdFlowRate
+(
+    const scalar tau,
+    vectorField& dU
+)
+{
+    if (flowRate_)
+    {
+        const vector old(flowRate_->acceleration());
+
+        dU -= flowRate_->correctFlux(tau, phi_);
+        force_ += flowRate_->acceleration() - old;
+    }
+}
+
+
 void Foam::flowSolvers::immersedFluid::pressureCorrector()
 {
     if (!immersed())
@@ -103,10 +119,11 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     p_.correctBoundaryConditions();
     gradP_ = fvc::grad(p_);
 
-    const vectorField dU
+    vectorField dU
     (
         tau.value()*fvc::grad(dp, "grad(p)")().primitiveField()
     );
+    holdFlowRate(tau.value(), dU);
 
     bodyCorrector(ddt, dU);
     makeRelative();

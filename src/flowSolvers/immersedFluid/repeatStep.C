@@ -24,6 +24,10 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
         << endl;
 
     bodies_->undoStep();
+    if (flowRate_)
+    {
+        flowRate_->undoStep();
+    }
 
     if (!retry_.halve())
     {

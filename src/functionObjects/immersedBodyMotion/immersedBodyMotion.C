@@ -43,6 +43,10 @@ Foam::wordList Foam::functionObjects::immersedBodyMotion::columns() const
         appendVector(names, "windowPosition", "m");
         appendVector(names, "windowVelocity", "m/s");
     }
+    if (bodies().periods().active())
+    {
+        appendVector(names, "unwrapped", "m");
+    }
 
     return names;
 }
@@ -68,5 +72,9 @@ void Foam::functionObjects::immersedBodyMotion::writeRow
     {
         writeVector(os, state.position);
         writeVector(os, state.U - window.velocity());
+    }
+    if (bodies().periods().active())
+    {
+        writeVector(os, body.unwrapped() + window.displacement());
     }
 }

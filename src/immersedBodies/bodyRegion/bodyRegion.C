@@ -39,8 +39,10 @@ struct faceSize
 } // End anonymous namespace
 
 
-Foam::bodyRegion::bodyRegion()
+Foam::bodyRegion::bodyRegion(const label bodyi, const vector& shift)
 :
+    body_(bodyi),
+    shift_(shift),
     searchCentre_(Zero),
     searchMargin_(-1),
     position_(point::max),
@@ -58,7 +60,7 @@ void Foam::bodyRegion::search
     const scalar hCap = hMax(body);
     const scalar radius = body.shape().boundingRadius();
 
-    searchCentre_ = body.state().position;
+    searchCentre_ = centre(body.state());
     searchMargin_ = 0.5*hCap;
 
     const labelList inBox
@@ -66,7 +68,7 @@ void Foam::bodyRegion::search
         search.cellsAround
         (
             searchCentre_,
-            radius + bandWidth*hCap + searchMargin_
+            reach(body, bandWidth) + searchMargin_
         )
     );
     DynamicList<label> inReach(inBox.size());
@@ -87,6 +89,23 @@ void Foam::bodyRegion::search
 }
 
 
+Foam::pointField Foam::bodyRegion::relative
+(
+    const UList<point>& centres,
+    const labelUList& labels
+) const
+{
+    pointField x(centres, labels);
+
+    if (shift_ != vector::zero)
+    {
+        x -= shift_;
+    }
+
+    return x;
+}
+
+
 template<class Size>
 void Foam::bodyRegion::select
 (
@@ -99,11 +118,11 @@ void Foam::bodyRegion::select
     DynamicList<scalar>& d,
     DynamicList<vector>& n,
     DynamicList<scalar>& h
-)
+) const
 {
     const scalar hCap = hMax(body);
     scalarField allD(labels.size());
-    body.distance(pointField(centres, labels), allD);
+    body.distance(relative(centres, labels), allD);
 
     inBand.clear();
     d.clear();
@@ -119,7 +138,7 @@ void Foam::bodyRegion::select
 
     n.setSize(inBand.size());
     h.setSize(inBand.size());
-    body.normal(pointField(centres, inBand), n);
+    body.normal(relative(centres, inBand), n);
 
     // Where the cells are thin along the normal the band is narrower
     label nKept = 0;
@@ -166,7 +185,11 @@ bool Foam::bodyRegion::update
     position_ = state.position;
     orientation_ = state.orientation;
 
-    if (searchMargin_ < 0 || mag(position_ - searchCentre_) > searchMargin_)
+    if
+    (
+        searchMargin_ < 0
+     || mag(centre(state) - searchCentre_) > searchMargin_
+    )
     {
         this->search(body, search, bandWidth);
     }

@@ -42,6 +42,15 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         }
     }
     edges_.correctBoundaryConditions();
+
+    // On coupled patches those of the other side, also if they are cyclic
+    for (auto& patchEdges : edges_.boundaryFieldRef())
+    {
+        if (patchEdges.coupled())
+        {
+            patchEdges == patchEdges.patchNeighbourField()();
+        }
+    }
 }
 
 
@@ -59,7 +68,6 @@ Foam::symmTensor Foam::cellSearch::faceEdges(const label facei) const
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label patchi = patches.whichPatch(facei);
 
-    // On a processor patch the patch value is that of the other side
     return 0.5
        *(
             edges_[mesh_.faceOwner()[facei]]

@@ -79,6 +79,7 @@ Foam::immersedBodies::immersedBodies
     mesh_(mesh),
     dict_(checked(dict)),
     space_(mesh),
+    periodicity_(mesh),
     rho_(readRho(dict, mesh)),
     g_(readGravity(mesh)),
     bodies_(placeBodies(dict, space_, mesh.time(), rho_)),
@@ -90,11 +91,12 @@ Foam::immersedBodies::immersedBodies
     (
         mesh,
         space_,
+        periodicity_,
         dict.subOrEmptyDict("resistance"),
         bodies_.size(),
         moving_
     ),
-    proximity_(mesh),
+    proximity_(mesh, periodicity_),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
     h_(bodies_.size(), GREAT),
@@ -115,6 +117,11 @@ Foam::immersedBodies::immersedBodies
         // The time steps themselves are the iterations
         checkSteady();
         nOuterCorrectors_ = 1;
+    }
+
+    if (!restarted_)
+    {
+        wrapPositions();
     }
 
     findSymmetry();
@@ -211,19 +218,24 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
     forAll(bodies_, bodyi)
     {
-        const point& x = bodies_[bodyi].state().position;
-        const label celli = region_.search().findCell(x);
+        const point& centre = bodies_[bodyi].state().position;
 
-        if (celli >= 0)
+        for (const vector& shift : periodicity_.localShifts(centre, 0))
         {
-            const tensor& G = gradU[celli];
+            const point x(centre + shift);
+            const label celli = region_.search().findCell(x);
 
-            found[bodyi] = 1;
-            centreU[bodyi] = U[celli] + ((x - mesh_.C()[celli]) & G);
-            spin[bodyi] = 0.5*vector
-            (
-                G.yz() - G.zy(), G.zx() - G.xz(), G.xy() - G.yx()
-            );
+            if (celli >= 0)
+            {
+                const tensor& G = gradU[celli];
+
+                ++found[bodyi];
+                centreU[bodyi] += U[celli] + ((x - mesh_.C()[celli]) & G);
+                spin[bodyi] += 0.5*vector
+                (
+                    G.yz() - G.zy(), G.zx() - G.xz(), G.xy() - G.yx()
+                );
+            }
         }
     }
 
@@ -233,7 +245,8 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
     forAll(bodies_, bodyi)
     {
-        // A point on the face between two processors may be found by both
+        // A point on the face between two processors may be found by both, one
+        // on a cyclic patch twice
         const scalar n = max(found[bodyi], 1);
 
         bodies_[bodyi].setAmbient(centreU[bodyi]/n, spin[bodyi]/n);

@@ -46,11 +46,11 @@ void Foam::immersedBodies::measureCells()
 {
     scalarField inBand(bodies_.size(), Zero);
 
-    forAll(bodies_, bodyi)
-    {
-        const bodyRegion& region = region_.region(bodyi);
+    h_ = 0;
 
-        h_[bodyi] = 0;
+    for (const bodyRegion& region : region_.regions())
+    {
+        const label bodyi = region.body();
 
         forAll(region.cells, i)
         {
@@ -86,15 +86,21 @@ void Foam::immersedBodies::checkInside() const
 {
     labelList found(bodies_.size(), 0);
 
-    // A fixed one may be there in part, such as the image of one that a
-    // cyclic patch or a plane of symmetry cuts
-    forAll(bodies_, bodyi)
+    // A fixed one may be there in part, such as one that a plane of symmetry
+    // cuts
+    for (const bodyRegion& region : region_.regions())
     {
+        const label bodyi = region.body();
         const immersedBody& body = bodies_[bodyi];
 
-        found[bodyi] =
-            region_.search().findCell(body.state().position) >= 0
-         || (body.isFixed() && !region_.region(bodyi).cells.empty());
+        if
+        (
+            region_.search().findCell(region.centre(body.state())) >= 0
+         || (body.isFixed() && !region.cells.empty())
+        )
+        {
+            found[bodyi] = 1;
+        }
     }
 
     compat::allReduce(found, maxEqOp<label>());

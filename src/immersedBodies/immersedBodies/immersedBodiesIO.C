@@ -167,6 +167,12 @@ void Foam::immersedBodies::report(Ostream& os) const
         os  << " (depth " << space_.depth() << " m)";
     }
 
+    if (periodicity_.active())
+    {
+        os  << nl << "    ";
+        periodicity_.report(os);
+    }
+
     os  << nl << "    resistance: ";
     region_.resistance().report(os);
 

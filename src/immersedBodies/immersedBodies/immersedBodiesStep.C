@@ -61,6 +61,26 @@ void Foam::immersedBodies::predict()
 }
 
 
+void Foam::immersedBodies::wrapPositions()
+{
+    if (!periodicity_.active())
+    {
+        return;
+    }
+
+    for (immersedBody& body : bodies_)
+    {
+        const vector shift(periodicity_.wrap(body.state().position));
+
+        // Else rounding of nothing
+        if (shift != vector::zero)
+        {
+            body.wrap(shift);
+        }
+    }
+}
+
+
 void Foam::immersedBodies::updateResistance
 (
     const ddtCoefficients& ddt,
@@ -210,6 +230,9 @@ bool Foam::immersedBodies::endStep()
     {
         good = false;
     }
+
+    // The regions go with the positions so far
+    wrapPositions();
 
     return good;
 }

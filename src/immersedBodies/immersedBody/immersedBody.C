@@ -24,6 +24,7 @@ Foam::immersedBody::immersedBody
     fixed_(false),
     ambientU_(false),
     ambientOmega_(false),
+    wrapped_(Zero),
     ddtMomentum_{Zero, Zero}
 {
     state_.position = space.inPlane(position);

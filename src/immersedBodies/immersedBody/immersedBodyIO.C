@@ -207,6 +207,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
 
+    wrapped_ = dict.lookupOrDefault<vector>("wrapped", Zero);
+
     old_ = oldOld_ = bodyState(old);
 
     // The previous run may have moved it
@@ -228,6 +230,11 @@ void Foam::immersedBody::writeState(Ostream& os) const
     state_.write(os);
     os.writeEntry("velocityTrend", trendU_);
     os.writeEntry("angularVelocityTrend", trendOmega_);
+
+    if (wrapped_ != vector::zero)
+    {
+        os.writeEntry("wrapped", wrapped_);
+    }
 
     os.beginBlock("old");
     old_.write(os);

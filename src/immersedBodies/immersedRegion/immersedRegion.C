@@ -8,12 +8,14 @@ Foam::immersedRegion::immersedRegion
 (
     const fvMesh& mesh,
     const geometricSpace& space,
+    const periodicity& periods,
     const dictionary& dict,
     const label nBodies,
     const bool bodiesMove
 )
 :
     mesh_(mesh),
+    periodicity_(periods),
     search_(mesh, space),
     delta_(mesh.boundary().size()),
     resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
@@ -30,12 +32,11 @@ Foam::immersedRegion::immersedRegion
     shield_(mesh.nCells(), Zero),
     faceShield_(mesh.nFaces(), Zero),
     bodyFlux_(mesh.nFaces(), Zero),
-    weight_(mesh.nCells(), Zero),
-    shieldSum_(nBodies > 1 ? mesh.nFaces() : 0)
+    weight_(mesh.nCells(), Zero)
 {
     forAll(regions_, bodyi)
     {
-        regions_.set(bodyi, new bodyRegion());
+        regions_.set(bodyi, new bodyRegion(bodyi));
     }
 
     forAll(delta_, patchi)
@@ -94,6 +95,8 @@ void Foam::immersedRegion::combineShields
         return;
     }
 
+    shieldSum_.resize(mesh_.nFaces());
+
     // Product of the open parts, and sum of the shields
     UIndirectList<scalar>(total, all) = 1;
     UIndirectList<scalar>(shieldSum_, all) = 0;
@@ -133,11 +136,13 @@ void Foam::immersedRegion::updateGeometry
 {
     bool changed = false;
 
-    forAll(bodies, bodyi)
+    updateImages(bodies);
+
+    for (bodyRegion& region : regions_)
     {
-        const bool moved = regions_[bodyi].update
+        const bool moved = region.update
         (
-            bodies[bodyi],
+            bodies[region.body()],
             search_,
             resistance_->bandWidth()
         );
@@ -149,9 +154,9 @@ void Foam::immersedRegion::updateGeometry
         return;
     }
 
-    forAll(bodies, bodyi)
+    for (bodyRegion& region : regions_)
     {
-        resistance_->setShield(bodies[bodyi], regions_[bodyi]);
+        resistance_->setShield(bodies[region.body()], region);
     }
 
     UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
@@ -185,11 +190,9 @@ void Foam::immersedRegion::updateResistance
     scalarField& K = K_.primitiveFieldRef();
     UIndirectList<scalar>(K, cells_) = 0;
 
-    forAll(bodies, bodyi)
+    for (bodyRegion& region : regions_)
     {
-        bodyRegion& region = regions_[bodyi];
-
-        resistance_->setResistance(bodies[bodyi], A0, nu, region);
+        resistance_->setResistance(bodies[region.body()], A0, nu, region);
 
         forAll(region.cells, i)
         {
@@ -216,20 +219,21 @@ void Foam::immersedRegion::updateVelocity
     UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
     UIndirectList<scalar>(bodyFlux_, faces_) = 0;
 
-    forAll(bodies, bodyi)
+    for (const bodyRegion& region : regions_)
     {
-        const bodyState& state = bodies[bodyi].state();
-        const rigidAcceleration acceleration(bodies[bodyi].acceleration(ddt));
-        const bodyRegion& region = regions_[bodyi];
+        const immersedBody& body = bodies[region.body()];
+        const bodyState& state = body.state();
+        const rigidAcceleration acceleration(body.acceleration(ddt));
+        const point centre(region.centre(state));
 
         forAll(region.cells, i)
         {
             const label celli = region.cells[i];
 
             KU_[celli] +=
-                region.resistance[i]*state.velocity(centres[celli]);
+                region.resistance[i]*region.velocity(state, centres[celli]);
             shieldDU_[celli] +=
-                region.shield[i]*acceleration(centres[celli] - state.position);
+                region.shield[i]*acceleration(centres[celli] - centre);
         }
 
         forAll(region.faces, i)
@@ -238,7 +242,7 @@ void Foam::immersedRegion::updateVelocity
 
             bodyFlux_[facei] +=
                 region.faceShield[i]
-               *(state.velocity(faceCentres[facei]) & Sf[facei]);
+               *(region.velocity(state, faceCentres[facei]) & Sf[facei]);
         }
     }
 }
@@ -293,9 +297,9 @@ void Foam::immersedRegion::setRigidMotion
     vectorField& U
 ) const
 {
-    forAll(bodies, bodyi)
+    for (const bodyRegion& region : regions_)
     {
-        const bodyRegion& region = regions_[bodyi];
+        const bodyState& state = bodies[region.body()].state();
 
         forAll(region.cells, i)
         {
@@ -307,7 +311,7 @@ void Foam::immersedRegion::setRigidMotion
             U[celli] +=
                 inside
                *(
-                    bodies[bodyi].state().velocity(mesh_.cellCentres()[celli])
+                    region.velocity(state, mesh_.cellCentres()[celli])
                   - U[celli]
                 );
         }

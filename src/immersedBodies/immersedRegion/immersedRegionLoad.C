@@ -2,18 +2,20 @@
 
 #include "immersedRegion.H"
 
-Foam::List<Foam::vectorField> Foam::immersedRegion::coupledNeighbours
+template<class Type>
+Foam::List<Foam::Field<Type>> Foam::immersedRegion::coupledNeighbours
 (
-    const volVectorField& U
-) const
+    const GeometricField<Type, fvPatchField, volMesh>& field
+)
 {
-    List<vectorField> values(U.boundaryField().size());
+    List<Field<Type>> values(field.boundaryField().size());
 
     forAll(values, patchi)
     {
-        if (U.boundaryField()[patchi].coupled())
+        if (field.boundaryField()[patchi].coupled())
         {
-            values[patchi] = U.boundaryField()[patchi].patchNeighbourField();
+            values[patchi] =
+                field.boundaryField()[patchi].patchNeighbourField();
         }
     }
 
@@ -81,52 +83,106 @@ void Foam::immersedRegion::load
 ) const
 {
     const List<vectorField> neighbourU(coupledNeighbours(U));
+
+    for (bodyLoad& load : loads)
+    {
+        load.clearLoad();
+    }
+
+    for (const bodyRegion& region : regions_)
+    {
+        addLoad
+        (
+            bodies[region.body()],
+            ddt,
+            E0,
+            A0,
+            U,
+            neighbourU,
+            gradP,
+            dU,
+            region,
+            loads[region.body()]
+        );
+    }
+
+    if (!response)
+    {
+        return;
+    }
+
+    const List<scalarField> neighbourA(coupledNeighbours(A0));
+    const List<scalarField> neighbourK(coupledNeighbours(K_));
+
+    for (bodyLoad& load : loads)
+    {
+        load.clearResponse();
+    }
+
+    for (const bodyRegion& region : regions_)
+    {
+        addResponse
+        (
+            ddt.c,
+            E0,
+            A0,
+            neighbourA,
+            neighbourK,
+            region.centre(bodies[region.body()].state()),
+            region,
+            loads[region.body()]
+        );
+    }
+}
+
+
+void Foam::immersedRegion::addLoad
+(
+    const immersedBody& body,
+    const ddtCoefficients& ddt,
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const vectorField& U,
+    const List<vectorField>& neighbourU,
+    const vectorField& gradP,
+    const vectorField& dU,
+    const bodyRegion& region,
+    bodyLoad& load
+) const
+{
     const scalarField& V = mesh_.V();
     const scalarField& K = K_;
+    const bodyState& state = body.state();
+    const rigidAcceleration acceleration(body.acceleration(ddt));
+    const point centre(region.centre(state));
 
-    forAll(bodies, bodyi)
+    forAll(region.cells, i)
     {
-        const bodyRegion& region = regions_[bodyi];
-        const bodyState& state = bodies[bodyi].state();
-        const rigidAcceleration acceleration(bodies[bodyi].acceleration(ddt));
-        bodyLoad& load = loads[bodyi];
+        const label celli = region.cells[i];
+        const vector r(mesh_.cellCentres()[celli] - centre);
+        const vector Ub(state.U + (state.omega^r));
+        vector q(region.shield[i]*(gradP[celli] + acceleration(r)));
 
-        load.clearLoad();
-
-        forAll(region.cells, i)
+        if (region.resistance[i] > 0)
         {
-            const label celli = region.cells[i];
-            const vector r(mesh_.cellCentres()[celli] - state.position);
-            const vector Ub(state.U + (state.omega^r));
-            vector q(region.shield[i]*(gradP[celli] + acceleration(r)));
+            const scalar A = A0[celli] + K[celli];
+            const vector H(rowH(E0, U, neighbourU, celli));
 
-            if (region.resistance[i] > 0)
-            {
-                const scalar A = A0[celli] + K[celli];
-                const vector H(rowH(E0, U, neighbourU, celli));
-
-                // A0 and K apart: K U_b and its sum cancel exactly
-                q += region.resistance[i]/A
-                   *(
-                        A0[celli]*Ub + (K[celli]*Ub - KU_[celli]) - H
-                      + (1 - shield_[celli])*gradP[celli] - shieldDU_[celli]
-                    );
-            }
-            load.addForce(r, V[celli]*q);
-
-            load.volume += V[celli]*fractionInside(region, i);
-
-            // Deeper than a cell, where the layer has come to an end
-            if (region.distance[i] < -region.h[i])
-            {
-                load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
-            }
+            // A0 and K apart: K U_b and its sum cancel exactly
+            q += region.resistance[i]/A
+               *(
+                    A0[celli]*Ub + (K[celli]*Ub - KU_[celli]) - H
+                  + (1 - shield_[celli])*gradP[celli] - shieldDU_[celli]
+                );
         }
+        load.addForce(r, V[celli]*q);
 
-        if (response)
+        load.volume += V[celli]*fractionInside(region, i);
+
+        // Deeper than a cell, where the layer has come to an end
+        if (region.distance[i] < -region.h[i])
         {
-            load.clearResponse();
-            addResponse(ddt.c, E0, A0, state.position, region, load);
+            load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
         }
     }
 }
@@ -137,6 +193,8 @@ void Foam::immersedRegion::addResponse
     const scalar ddtCoeff,
     const fvVectorMatrix& E0,
     const volScalarField& A0,
+    const List<scalarField>& neighbourA,
+    const List<scalarField>& neighbourK,
     const point& centre,
     const bodyRegion& region,
     bodyLoad& load
@@ -182,7 +240,7 @@ void Foam::immersedRegion::addResponse
         }
     }
 
-    addCoupledResponse(E0, A0, centre, region, load);
+    addCoupledResponse(E0, neighbourA, neighbourK, centre, region, load);
 
     for (const label celli : region.cells)
     {
@@ -194,7 +252,8 @@ void Foam::immersedRegion::addResponse
 void Foam::immersedRegion::addCoupledResponse
 (
     const fvVectorMatrix& E0,
-    const volScalarField& A0,
+    const List<scalarField>& neighbourA,
+    const List<scalarField>& neighbourK,
     const point& centre,
     const bodyRegion& region,
     bodyLoad& load
@@ -213,9 +272,8 @@ void Foam::immersedRegion::addCoupledResponse
         const label i = facei - patches[patchi].start();
         const label celli = mesh_.faceOwner()[facei];
 
-        // On a processor patch the patch values are those of the other side
-        const scalar K = K_.boundaryField()[patchi][i];
-        const scalar A = A0.boundaryField()[patchi][i];
+        const scalar K = neighbourK[patchi][i];
+        const scalar A = neighbourA[patchi][i];
         const scalar w = weight_[celli]*K/(A + K);
         const vector r(mesh_.cellCentres()[celli] - centre);
 

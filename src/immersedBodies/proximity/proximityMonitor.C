@@ -2,18 +2,19 @@
 
 #include "proximityMonitor.H"
 #include "compat.H"
-#include "SortableList.H"
 #include "StringStream.H"
 #include "wallPolyPatch.H"
 
 namespace
 {
 
-//- Smallest signed distance from the surface of a to points on that of b
+//- Smallest signed distance from the surface of a to points on that of b,
+//  shifted
 Foam::scalar sampledGap
 (
     const Foam::immersedBody& a,
-    const Foam::immersedBody& b
+    const Foam::immersedBody& b,
+    const Foam::vector& shift
 )
 {
     Foam::pointField x;
@@ -23,7 +24,7 @@ Foam::scalar sampledGap
     const Foam::tensor R(b.state().orientation.R());
     for (Foam::point& xi : x)
     {
-        xi = b.state().position + (R & xi);
+        xi = b.state().position + shift + (R & xi);
     }
 
     Foam::scalarField d(x.size());
@@ -35,9 +36,14 @@ Foam::scalar sampledGap
 } // End anonymous namespace
 
 
-Foam::proximityMonitor::proximityMonitor(const fvMesh& mesh)
+Foam::proximityMonitor::proximityMonitor
+(
+    const fvMesh& mesh,
+    const periodicity& periods
+)
 :
-    wallCells_(mesh.nCells())
+    wallCells_(mesh.nCells()),
+    periodicity_(periods)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -52,20 +58,23 @@ Foam::proximityMonitor::proximityMonitor(const fvMesh& mesh)
 Foam::scalar Foam::proximityMonitor::gap
 (
     const immersedBody& a,
-    const immersedBody& b
+    const immersedBody& b,
+    const vector& shift
 )
 {
     if (b.shape().round())
     {
-        return a.distance(b.state().position) - b.shape().boundingRadius();
+        return
+            a.distance(b.state().position + shift)
+          - b.shape().boundingRadius();
     }
 
     if (a.shape().round())
     {
-        return gap(b, a);
+        return gap(b, a, -shift);
     }
 
-    return min(sampledGap(a, b), sampledGap(b, a));
+    return min(sampledGap(a, b, shift), sampledGap(b, a, -shift));
 }
 
 
@@ -104,7 +113,7 @@ Foam::scalar Foam::proximityMonitor::wallGap
     const fvMesh& mesh
 ) const
 {
-    const point& centre = body.state().position;
+    const point centre(region.centre(body.state()));
     const bool round = body.shape().round();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     scalar gap = GREAT;
@@ -128,12 +137,17 @@ Foam::scalar Foam::proximityMonitor::wallGap
             {
                 const face& f = mesh.faces()[facei];
                 const pointHit nearest(f.nearestPoint(centre, mesh.points()));
-                gap = min(gap, body.distance(nearest.rawPoint()));
+                gap = min
+                (
+                    gap,
+                    body.distance(nearest.rawPoint() - region.shift())
+                );
 
                 if (!round)
                 {
                     pointField x(f.points(mesh.points()));
                     x.append(mesh.faceCentres()[facei]);
+                    x -= region.shift();
 
                     scalarField d(x.size());
                     body.distance(x, d);
@@ -155,14 +169,14 @@ bool Foam::proximityMonitor::check
     const fvMesh& mesh
 )
 {
-    const label n = bodies.size();
-    scalarField wallGaps(n);
+    scalarField wallGaps(bodies.size(), GREAT);
     boundBox box;
 
-    forAll(bodies, i)
+    for (const bodyRegion& r : region.regions())
     {
-        wallGaps[i] = wallGap(bodies[i], region.region(i), mesh);
-        box.add(bodies[i].state().position);
+        scalar& gap = wallGaps[r.body()];
+
+        gap = min(gap, wallGap(bodies[r.body()], r, mesh));
     }
 
     compat::allReduce(wallGaps, minEqOp<scalar>());
@@ -170,44 +184,29 @@ bool Foam::proximityMonitor::check
     bool overlap = false;
     overlaps_.clear();
 
-    // Sweep along the longest side, by the lower ends of the bounding spheres
-    const vector span(box.span());
-    const direction along =
-        span.x() >= max(span.y(), span.z()) ? 0 : span.y() >= span.z() ? 1 : 2;
-
-    SortableList<scalar> lower(n);
-
     forAll(bodies, i)
     {
-        lower[i] = bodies[i].state().position[along]
-          - bodies[i].shape().boundingRadius() - 0.5*h[i];
-
+        box.add(bodies[i].state().position);
         overlap =
             note(bodies[i].name() + " and a wall", wallGaps[i], h[i])
          || overlap;
     }
-    lower.sort();
 
-    for (label k = 0; k < n; ++k)
+    // Sweep along the longest side, by the lower ends of the bounding spheres
+    const vector span(box.span());
+    const direction along =
+        span.x() >= max(span.y(), span.z()) ? 0 : span.y() >= span.z() ? 1 : 2;
+    const DynamicList<image> images(sortedImages(bodies, h, along));
+
+    forAll(images, k)
     {
-        const label i = lower.indices()[k];
-        const immersedBody& a = bodies[i];
-        const scalar Ra = a.shape().boundingRadius();
-        const scalar upper = a.state().position[along] + Ra + 0.5*h[i];
+        const label i = images[k].body;
+        const scalar upper = images[k].lower
+          + 2*bodies[i].shape().boundingRadius() + h[i];
 
-        for (label l = k + 1; l < n && lower[l] < upper; ++l)
+        for (label l = k + 1; l < images.size() && images[l].lower < upper; ++l)
         {
-            const label j = lower.indices()[l];
-            const immersedBody& b = bodies[j];
-            const scalar Rb = b.shape().boundingRadius();
-            const scalar hPair = max(h[i], h[j]);
-
-            if (mag(a.state().position - b.state().position) < Ra + Rb + hPair)
-            {
-                overlap =
-                    note(a.name() + " and " + b.name(), gap(a, b), hPair)
-                 || overlap;
-            }
+            overlap = checkPair(bodies, h, images[k], images[l]) || overlap;
         }
     }
 

@@ -92,10 +92,11 @@ Foam::scalar Foam::resistanceModels::distanceWeighted::crossing
 Foam::scalar Foam::resistanceModels::distanceWeighted::areaInside
 (
     const immersedBody& body,
+    const vector& shift,
     const face& f
 ) const
 {
-    const pointField x(mesh_.points(), f);
+    const pointField x(pointField(mesh_.points(), f) - shift);
     scalarField d(x.size());
     body.distance(x, d);
 
@@ -146,7 +147,7 @@ void Foam::resistanceModels::distanceWeighted::setShield
         region.faceShield[i] =
             mag(region.faceDistance[i]) > 2*region.faceH[i]
           ? region.faceDistance[i] < 0
-          : areaInside(body, mesh_.faces()[facei]);
+          : areaInside(body, region.shift(), mesh_.faces()[facei]);
     }
 }
 
@@ -200,14 +201,16 @@ void Foam::resistanceModels::distanceWeighted::setResistance
         region.resistance[i] = region.distance[i] <= 0 ? inside*A0[celli] : 0;
     }
 
-    // Add the wall between an outer cell and a neighbour at x
-    auto addWall = [&](const label facei, const label celli, const point& x)
+    // Add the wall between an outer cell and a neighbour at y
+    auto addWall = [&](const label facei, const label celli, const point& y)
     {
         const label i = indexOf_[celli];
+        const point x(y - region.shift());
 
         if (i >= 0 && region.distance[i] > 0 && body.distance(x) <= 0)
         {
-            const scalar theta = crossing(body, centres[celli], x);
+            const scalar theta =
+                crossing(body, centres[celli] - region.shift(), x);
 
             region.resistance[i] +=
                 wallResistance(facei, celli, nu[celli], theta);

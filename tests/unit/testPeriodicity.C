@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "testTools.H"
+#include "boxMesh.H"
+#include "immersedBody.H"
+#include "periodicity.H"
+#include "proximityMonitor.H"
+
+using namespace Foam;
+using testTools::difference;
+using testTools::near;
+
+namespace
+{
+
+//- Periods of an oblique cell with a corner in (1 2 0), and along z none
+periodicity oblique()
+{
+    periodicity periods;
+
+    // Planes through the corner that contain the other period
+    periods.add(vector(2, 0, 0), vector(1, -0.5, 0), point(1, 2, 0));
+    periods.add(vector(0.5, 1, 0), vector(0, 1, 0), point(1, 2, 0));
+
+    return periods;
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("Positions are put into one period", "[periodicity]")
+{
+    const periodicity periods(oblique());
+
+    CHECK(periods.active());
+    CHECK(periods.wrap(point(1.5, 2.1, 7)) == vector::zero);
+    CHECK(periods.wrap(point(1, 2, 0)) == vector::zero);
+    CHECK(difference(periods.wrap(point(3.5, 2.1, 7)), vector(-2, 0, 0)) < 1e-12);
+    CHECK(difference(periods.wrap(point(1, 1.9, 0)), vector(0.5, 1, 0)) < 1e-12);
+    const vector far(-5*vector(2, 0, 0) + 3*vector(0.5, 1, 0));
+    CHECK(difference(periods.wrap(point(1.5, 2.1, 7) - far), far) < 1e-12);
+
+    CHECK(!periodicity().active());
+    CHECK(periodicity().wrap(point(4, 5, 6)) == vector::zero);
+}
+
+
+TEST_CASE("The same period counts once, none not at all", "[periodicity]")
+{
+    periodicity periods(oblique());
+
+    periods.add(vector(-2, 0, 0), vector(-1, 0, 0), point(3, 2, 0));
+    periods.add(vector(0, 0, 0), vector(0, 0, 1), point(3, 2, 0));
+    CHECK(periods.periods().size() == 2);
+}
+
+
+TEST_CASE("Images are where they are needed", "[periodicity]")
+{
+    periodicity periods;
+    periods.add(vector(2, 0, 0), vector(1, 0, 0), point(0, 0, 0));
+    periods.add(vector(0, 1, 0), vector(0, 1, 0), point(0, 0, 0));
+
+    // In the middle, at a side, in a corner
+    CHECK(periods.globalShifts(point(1, 0.5, 0), 0.4).size() == 1);
+    CHECK(periods.globalShifts(point(0.1, 0.5, 0), 0.4).size() == 2);
+    CHECK(periods.globalShifts(point(0.1, 0.9, 0), 0.4).size() == 4);
+    // As large as the cell
+    CHECK(periods.globalShifts(point(1, 0.5, 0), 0.6).size() == 3);
+    CHECK(periodicity().globalShifts(point(1, 2, 3), 9).size() == 1);
+
+    const List<vector> side(periods.globalShifts(point(1.9, 0.5, 0), 0.2));
+    CHECK(side.size() == 2);
+    CHECK(difference(side[0], vector(-2, 0, 0)) < 1e-12);
+    CHECK(side[1] == vector::zero);
+}
+
+
+TEST_CASE("Periods of a mesh", "[periodicity][parallel]")
+{
+    const Time time
+    (
+        testTools::dict("deltaT 1; writeFrequency 1;"), "/tmp", "none"
+    );
+    testTools::boxMesh box;
+
+    box.x = {{
+        testTools::graded(6, 3, 1.1),
+        testTools::graded(4, 2, 1),
+        testTools::graded(3, 1, 1)
+    }};
+    box.sides = {{"cc", "zz", "cc"}};
+    box.processor = [](const labelVector& cell)
+    {
+        return cell.x() < 3 ? 0 : Pstream::nProcs() - 1;
+    };
+
+    const auto mesh(box.make(time));
+    const periodicity periods(*mesh);
+
+    REQUIRE(periods.periods().size() == 2);
+    CHECK(difference(periods.periods()[0], vector(3, 0, 0)) < 1e-12);
+    CHECK(difference(periods.periods()[1], vector(0, 0, 1)) < 1e-12);
+
+    // At an end in x, in the middle in z
+    CHECK(periods.localShifts(point(2.9, 1, 0.5), 0.2).size() == 2);
+    CHECK(periods.globalShifts(point(2.9, 1, 0.5), 0.2).size() == 2);
+}
+
+
+TEST_CASE("Gap to an image", "[periodicity][proximity]")
+{
+    const geometricSpace threeD(-1);
+
+    auto body = [&](const std::string& text, const point& position)
+    {
+        return immersedBody
+        (
+            "grain", testTools::dict("densityRatio 1;"),
+            testTools::shape(text, threeD), threeD, position, 1
+        );
+    };
+
+    const immersedBody box(body("type box; size (2 2 2);", {9, 0, 0}));
+    const immersedBody sphere(body("type sphere; radius 1;", {1, 0, 0}));
+    const vector shift(10, 0, 0);
+
+    CHECK(proximityMonitor::gap(box, sphere, shift) == near(0));
+    CHECK(proximityMonitor::gap(sphere, box, -shift) == near(0));
+    CHECK(proximityMonitor::gap(box, box, shift) == near(8));
+}
