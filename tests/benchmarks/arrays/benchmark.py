@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Drag of periodic arrays of discs and spheres, Stokes flow."""
 
-import itertools
 import math
 
 from measure import DEPTH, LOCKED, Run, set_stokes, set_viscosity
@@ -27,8 +26,6 @@ ARRAYS = {
 }
 # Of the array from the mesh, in cells
 OFFSET = (0.3, 0.4, 0.2)
-# Cells from its surface to the last cell centre that a body acts on
-BAND = 4.9
 # Driven by a body force, too
 BY_FORCE = (("square", 0.2), ("simple", 0.216))
 # Time step in h^2/nu, and their number
@@ -53,17 +50,11 @@ class Array:
         self.D_over_h = round(2*self.radius*self.n, 2)
         self.gap = (self.distance - 2*self.radius)*self.n
 
-    def images(self):
-        """Centres of all bodies that act on a cell of the box."""
-        reach = self.radius + BAND*self.h
+    def positions(self):
+        """Centres, in the form of OpenFOAM's lists."""
         for centre in self.centres:
-            start = [x + s*self.h for x, s in zip(centre, OFFSET)]
-            for shift in itertools.product((-1, 0, 1), repeat=self.dims):
-                x = [x + s for x, s in zip(start, shift)]
-                edge = 0.5*self.h
-                beyond = [max(edge - x, x - 1 + edge, 0) for x in x]
-                if math.hypot(*beyond) < reach:
-                    yield (*x, 0)[:3]
+            x = [x + s*self.h for x, s in zip(centre, OFFSET)]
+            yield "({:.12g} {:.12g} {:.12g})".format(*(*x, 0)[:3])
 
     def solve(self, folder, by_force):
         """The run, and the drag after each step."""
@@ -80,9 +71,6 @@ class Array:
         )
         set_stokes(case)
         set_viscosity(case, 1)
-        positions = " ".join(
-            "({:.12g} {:.12g} {:.12g})".format(*x) for x in self.images()
-        )
         case.bodies(f"""
             body
             {{
@@ -91,7 +79,7 @@ class Array:
                     type {"disc" if self.dims == 2 else "sphere"};
                     radius {self.radius:.15g};
                 }}
-                positions ({positions});
+                positions ({" ".join(self.positions())});
                 {LOCKED}
             }}
         """)
