@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a scene does not need is not done: the results are the same, and the log
+says what is left out. Other skips have tests of their own: no bodies
+(test_zero_bodies), the direct solver (test_fast_poisson), the window
+(test_periodicTube, test_timeOrder), locked motions (unit tests)."""
+
+import re
+
+import pytest
+
+from bodyCase import BodyCase
+from boxMesh import uniform
+
+HELD = "motion { type fixed; }"
+STILL = "motion { type prescribed; velocity (0 0 0); }"
+STOKES = "div(phi,U)          Gauss linear", "div(phi,U)          none"
+
+
+@pytest.fixture
+def tube(tmp_path):
+    case = BodyCase("tube", tmp_path)
+    case.mesh(uniform(-1, 1, 40), uniform(-1, 1, 40))
+    case.controls(endTime="0.2", deltaT="0.02")
+    case.replace(
+        "system/fvSolution", "1e-8;\n        relTol          0.01",
+        "1e-12; relTol 1e-6",
+    )
+    case.replace(
+        "system/fvSolution", "1e-9;\n        relTol          1e-3",
+        "1e-13; relTol 1e-8",
+    )
+    return case
+
+
+def solve(tube, folder, name, motion, before=""):
+    """The case, and what its log says is skipped."""
+    case = BodyCase(tube, folder, name)
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.2; }}
+            position    (0.01 -0.3 0);
+            {motion}
+        }}
+    """, before)
+    return case, re.search(r"skipped: (.*)", case.solve()).group(1)
+
+
+def same(a, b, table, columns, tolerance):
+    for column in columns:
+        x, y = a.table(table)[column][-1], b.table(table)[column][-1]
+        assert x == pytest.approx(y, rel=tolerance), column
+
+
+def test_motion(tube, tmp_path):
+    """The same layer, which is by default that of bodies that do move; one
+    outer iteration or two have made no difference since the sudden start."""
+    layer = "resistance { type exponential; steepness 1.2; }"
+    tube.controls(endTime="0.4", deltaT="0.005")
+    held, skipped = solve(tube, tmp_path, "held", HELD, layer)
+    still, not_skipped = solve(tube, tmp_path, "still", STILL, layer)
+    assert "motion of bodies" in skipped
+    assert "motion of bodies" not in not_skipped
+    same(held, still, "forces", ("fluidForce_x",), 2e-4)
+    same(held, still, "forces", ("fluidTorque_z",), 1e-3)
+
+
+def test_convection(tube, tmp_path):
+    """At a Reynolds number of a millionth it makes no difference."""
+    slow = BodyCase(tube, tmp_path, "slow")
+    slow.replace("constant/transportProperties", "0.5;", "5e5;")
+    slow.controls(endTime="2e-7", deltaT="2e-8")
+    full, not_skipped = solve(slow, tmp_path, "full", HELD)
+    slow.replace("system/fvSchemes", *STOKES)
+    stokes, skipped = solve(slow, tmp_path, "stokes", HELD)
+    assert "convection" in skipped
+    assert "convection" not in not_skipped
+    same(stokes, full, "forces", ("fluidForce_x", "fluidTorque_z"), 1e-5)
+
+
+def test_outer_iterations(tube, tmp_path):
+    """Those that a converged step is spared, all made for comparison."""
+    free = "densityRatio 2; velocity ambient;"
+    few, _ = solve(tube, tmp_path, "few", free)
+    many, _ = solve(
+        tube, tmp_path, "many", free,
+        "coupling { nOuterCorrectors 30; tolerance 1e-9; }",
+    )
+    for column in ("velocity_x", "angularVelocity_z"):
+        same(few, many, "motion", (column,), 1e-3)
