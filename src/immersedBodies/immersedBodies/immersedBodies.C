@@ -100,7 +100,7 @@ Foam::immersedBodies::immersedBodies
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
     h_(bodies_.size(), GREAT),
-    nOuterCorrectors_(10),
+    nOuterCorrectors_(30),
     tolerance_(1e-4),
     steady_(dict)
 {
