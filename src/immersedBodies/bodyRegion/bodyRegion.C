@@ -76,7 +76,8 @@ void Foam::bodyRegion::search
     for (const label celli : inBox)
     {
         const scalar reach =
-            radius + bandWidth*min(search.hMax(celli), hCap) + searchMargin_;
+            radius + (bandWidth + 0.5)*min(search.hMax(celli), hCap)
+          + searchMargin_;
 
         if (mag(search.mesh().cellCentres()[celli] - searchCentre_) < reach)
         {

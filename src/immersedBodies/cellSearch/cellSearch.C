@@ -214,5 +214,8 @@ Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
         faceMet_.unset(facei);
     }
 
+    // As the cells: the order must not depend on where the search was made
+    Foam::sort(faces);
+
     return labelList(std::move(faces));
 }
