@@ -112,10 +112,10 @@ class BodyCase(FoamCase):
         """Columns of a table by their names without units, for one body."""
         columns = {}
         for file in self.table_files(name):
-            header = [
+            (header,) = (
                 line for line in file.read_text().splitlines()
-                if line.startswith("#")
-            ][-1]
+                if line.startswith("#") and "time[s]" in line
+            )
             names = [re.sub(r"\[.*", "", n) for n in header.split()[1:]]
             rows = self.read_dat(file.relative_to(self.path))
             rows = rows[rows[:, 1] == body]

@@ -11,6 +11,11 @@ void Foam::flowSolvers::immersedFluid::postSolve()
 
     const bool good = bodies_->endStep();
 
+    if (good)
+    {
+        bodies_->enter(U_);
+    }
+
     continuityErrors();
     reportProgress();
 

@@ -95,7 +95,10 @@ bool Foam::functionObjects::bodyFunctionObject::write()
 
         for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
         {
-            writeHeaderValue(os, Foam::name(bodyi), bodies[bodyi].name());
+            const immersedBody& body = bodies[bodyi];
+
+            writeHeaderValue(os, Foam::name(body.number()), body.name());
+            named_.insert(body.number());
         }
 
         writeCommented(os, "time[s]");
@@ -111,9 +114,16 @@ bool Foam::functionObjects::bodyFunctionObject::write()
 
     for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
     {
+        const immersedBody& body = bodies[bodyi];
+
+        if (named_.insert(body.number()))
+        {
+            writeHeaderValue(os, Foam::name(body.number()), body.name());
+        }
+
         writeCurrentTime(os);
-        os  << tab << bodyi;
-        writeRow(os, bodies[bodyi]);
+        os  << tab << body.number();
+        writeRow(os, body);
         os  << nl;
     }
     os.flush();

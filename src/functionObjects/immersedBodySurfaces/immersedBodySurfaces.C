@@ -161,8 +161,16 @@ void Foam::functionObjects::immersedBodySurfaces::writeCellData
         force[i] = bodies.rho()*b.fluidForce();
     }
 
+    // Numbers last as long as the case runs, indices do not
+    labelList number(body.size());
+
+    forAll(number, i)
+    {
+        number[i] = bodies[body[i]].number();
+    }
+
     format.beginCellData();
-    writeLabels(format, "body", body);
+    writeLabels(format, "body", number);
 
     format.beginDataArray<float>("radius");
     vtk::writeList(format, radius);

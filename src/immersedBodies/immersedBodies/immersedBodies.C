@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyPassage.H"
 #include "compat.H"
 #include "checkKeywords.H"
 #include "fvcGrad.H"
@@ -26,7 +27,7 @@ Foam::PtrList<Foam::immersedBody> placeBodies
     Foam::PtrList<Foam::immersedBody> bodies;
     Foam::bodyPlacement(space, time.globalPath(), rho).place
     (
-        dict.subDict("bodies"),
+        dict.subOrEmptyDict("bodies"),
         bodies
     );
 
@@ -83,10 +84,11 @@ Foam::immersedBodies::immersedBodies
     rho_(readRho(dict, mesh)),
     g_(readGravity(mesh)),
     bodies_(placeBodies(dict, space_, mesh.time(), rho_)),
+    passage_(new bodyPassage(dict_, space_, mesh, rho_, bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
     restarted_(readState()),
-    moving_(movesThroughMesh(bodies_)),
+    moving_(movesThroughMesh(bodies_) || passage_->injects()),
     region_
     (
         mesh,
@@ -99,7 +101,6 @@ Foam::immersedBodies::immersedBodies
     proximity_(mesh, periodicity_),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
-    h_(bodies_.size(), GREAT),
     nOuterCorrectors_(30),
     tolerance_(1e-4),
     steady_(dict)
@@ -127,16 +128,23 @@ Foam::immersedBodies::immersedBodies
     findSymmetry();
     region_.updateGeometry(bodies_);
     checkInside();
-    measureCells();
+    if (h_.size() != size())
+    {
+        measureCells();
+    }
     checkResolution();
 
     if (proximity_.check(bodies_, region_, h_, mesh_))
     {
-        FatalIOErrorInFunction(dict_.subDict("bodies"))
+        FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
             << "'bodies' must not overlap each other or a wall: "
             << proximity_.overlaps().c_str() << nl << exit(FatalIOError);
     }
 }
+
+
+Foam::immersedBodies::~immersedBodies()
+{}
 
 
 bool Foam::immersedBodies::anyFree() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyPassage.H"
 #include "compat.H"
 #include "symmetryPlanes.H"
 
@@ -42,42 +43,67 @@ Foam::scalar asymmetry
 } // End anonymous namespace
 
 
+Foam::Pair<Foam::scalar> Foam::immersedBodies::largestCells
+(
+    const bodyRegion& region
+) const
+{
+    Pair<scalar> largest(0, 0);
+
+    forAll(region.cells, i)
+    {
+        const scalar h = region_.search().h(region.cells[i], region.normal[i]);
+
+        if (mag(region.distance[i]) < h)
+        {
+            largest.first() = max(largest.first(), h);
+        }
+        largest.second() = max(largest.second(), h);
+    }
+
+    return largest;
+}
+
+
+Foam::scalar Foam::immersedBodies::cellSize
+(
+    const immersedBody& body,
+    const Pair<scalar>& largest
+)
+{
+    // No cell is near the surface if the body is outside the mesh but for its
+    // band, or smaller than a cell
+    return
+        largest.first() > 0 ? largest.first()
+      : largest.second() > 0 ? largest.second()
+      : body.shape().width();
+}
+
+
 void Foam::immersedBodies::measureCells()
 {
-    scalarField inBand(bodies_.size(), Zero);
+    scalarField atSurface(bodies_.size()), inBand(bodies_.size());
 
-    h_ = 0;
+    atSurface = inBand = 0;
 
     for (const bodyRegion& region : region_.regions())
     {
+        const Pair<scalar> largest(largestCells(region));
         const label bodyi = region.body();
 
-        forAll(region.cells, i)
-        {
-            const scalar h =
-                region_.search().h(region.cells[i], region.normal[i]);
-
-            if (mag(region.distance[i]) < h)
-            {
-                h_[bodyi] = max(h_[bodyi], h);
-            }
-            inBand[bodyi] = max(inBand[bodyi], h);
-        }
+        atSurface[bodyi] = max(atSurface[bodyi], largest.first());
+        inBand[bodyi] = max(inBand[bodyi], largest.second());
     }
 
-    compat::allReduce(h_, maxEqOp<scalar>());
+    compat::allReduce(atSurface, maxEqOp<scalar>());
     compat::allReduce(inBand, maxEqOp<scalar>());
 
-    // No cell is near the surface if the body is outside the mesh but for its
-    // band, or smaller than a cell
+    h_.resize(size());
+
     forAll(h_, bodyi)
     {
-        if (h_[bodyi] == 0)
-        {
-            h_[bodyi] = inBand[bodyi] > 0
-              ? inBand[bodyi]
-              : bodies_[bodyi].shape().width();
-        }
+        h_[bodyi] =
+            cellSize(bodies_[bodyi], {atSurface[bodyi], inBand[bodyi]});
     }
 }
 
@@ -96,7 +122,10 @@ void Foam::immersedBodies::checkInside() const
         if
         (
             region_.search().findCell(region.centre(body.state())) >= 0
-         || (body.isFixed() && !region.cells.empty())
+         || (
+                (body.isFixed() || body.passing().size())
+             && !region.cells.empty()
+            )
         )
         {
             found[bodyi] = 1;
@@ -181,6 +210,13 @@ void Foam::immersedBodies::checkResolution() const
 
 void Foam::immersedBodies::checkSteady() const
 {
+    if (passage_->injects())
+    {
+        FatalIOErrorInFunction(dict_.subDict("steady"))
+            << "'steady' is not for bodies that enter: remove 'injection'"
+            << nl << exit(FatalIOError);
+    }
+
     if (!moving_ || window_.comoving())
     {
         return;

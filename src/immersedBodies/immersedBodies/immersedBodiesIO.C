@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "uniformDimensionedFields.H"
 
@@ -22,7 +23,11 @@ Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
 
     autoPtr<immersedBodies> bodies;
 
-    if (dict.found("bodies") && dict.subDict("bodies").size())
+    if
+    (
+        dict.subOrEmptyDict("bodies").size()
+     || dict.subOrEmptyDict("injection").size()
+    )
     {
         bodies.reset(new immersedBodies(mesh, dict));
     }
@@ -88,7 +93,8 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         dict,
         {
             "rho", "resistance", "coupling", "motion", "contact",
-            "lubrication", "window", "steady", "bodies"
+            "lubrication", "window", "steady", "leaving", "injection",
+            "bodies"
         }
     );
     keywords::check
@@ -136,23 +142,11 @@ bool Foam::immersedBodies::readState()
     io.readHeader(is());
     const dictionary states(io.objectPath(), dictionary::null, is());
 
-    const dictionary& bodyStates = states.subDict("bodies");
-
     states.readIfPresent("time", clock_);
     window_.readState(states.subDict("window"));
 
-    for (immersedBody& body : bodies_)
-    {
-        if (!bodyStates.found(body.name()))
-        {
-            FatalIOErrorInFunction(states)
-                << "No state of body '" << body.name() << "', which"
-                << " constant/immersedBodyProperties has; the bodies here are "
-                << flatOutput(bodyStates.toc()) << nl << exit(FatalIOError);
-        }
-
-        body.readState(bodyStates.subDict(body.name()));
-    }
+    passage_->readState(states, bodies_);
+    h_ = states.lookupOrDefault<scalarList>("cellSizes", scalarList());
 
     return true;
 }
@@ -197,8 +191,12 @@ void Foam::immersedBodies::report(Ostream& os) const
             << " m/s";
     }
 
-    os  << nl << "    cells per width: " << fewest << " to " << most << nl
-        << "    coupling: at most " << nOuterCorrectors_
+    if (size())
+    {
+        os  << nl << "    cells per width: " << fewest << " to " << most;
+    }
+
+    os  << nl << "    coupling: at most " << nOuterCorrectors_
         << " iterations, tolerance " << tolerance_ << nl;
 
     if (steady_.active())
@@ -216,6 +214,16 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
 
     os.writeEntry("time", clock_);
     window_.writeState(os);
+    passage_->writeState(os);
+
+    // As text, whatever the format
+    os.writeKeyword("cellSizes") << token::BEGIN_LIST;
+
+    for (const scalar h : h_)
+    {
+        os  << token::SPACE << h;
+    }
+    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
 
     os.beginBlock("bodies");
 

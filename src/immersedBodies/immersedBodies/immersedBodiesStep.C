@@ -210,21 +210,7 @@ bool Foam::immersedBodies::endStep()
         body.endStep(stepRatio());
     }
 
-    bool good = true;
-
-    forAll(bodies_, bodyi)
-    {
-        const scalar part = loads_[bodyi].volume/bodies_[bodyi].volume();
-
-        if (!(part > 0.02) && !bodies_[bodyi].isFixed())
-        {
-            Info<< "Body " << bodies_[bodyi].name() << " has left the mesh at "
-                << bodies_[bodyi].state().position + window_.displacement()
-                << ", moving with "
-                << bodies_[bodyi].state().U << endl;
-            good = false;
-        }
-    }
+    bool good = leave();
 
     if (proximity_.check(bodies_, region_, h_, mesh_))
     {

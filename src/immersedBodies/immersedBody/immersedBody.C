@@ -15,6 +15,7 @@ Foam::immersedBody::immersedBody
 )
 :
     name_(name),
+    number_(0),
     shape_(shape),
     space_(space),
     densityRatio_(1),
@@ -37,6 +38,25 @@ Foam::immersedBody::immersedBody
 }
 
 
+void Foam::immersedBody::hold()
+{
+    fixed_ = true;
+    freeU_ = freeOmega_ = Zero;
+    prescribed_.reset();
+    state_.U = state_.omega = Zero;
+    restart();
+}
+
+
+void Foam::immersedBody::enter(const point& position, const bool ambient)
+{
+    passing_.clear();
+    ambientU_ = ambientOmega_ = ambient;
+    state_.position = space_.inPlane(position);
+    restart();
+}
+
+
 void Foam::immersedBody::restart()
 {
     old_ = oldOld_ = state_;
@@ -46,7 +66,8 @@ void Foam::immersedBody::restart()
 
 bool Foam::immersedBody::isFree() const
 {
-    return cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0;
+    return
+        passing_.empty() && (cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0);
 }
 
 

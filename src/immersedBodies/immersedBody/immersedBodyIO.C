@@ -2,6 +2,7 @@
 
 #include "immersedBody.H"
 #include "checkKeywords.H"
+#include "Switch.H"
 
 const Foam::wordList Foam::immersedBody::keywords
 ({
@@ -203,6 +204,14 @@ void Foam::immersedBody::readState(const dictionary& dict)
 {
     const dictionary& old = dict.subDict("old");
 
+    number_ = dict.lookupOrDefault("number", number_);
+    passing_ = dict.lookupOrDefault("passing", word::null);
+    origin_ = dict.subOrEmptyDict("origin");
+    if (dict.lookupOrDefault("held", false))
+    {
+        hold();
+    }
+
     state_ = bodyState(dict);
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
@@ -219,13 +228,29 @@ void Foam::immersedBody::readState(const dictionary& dict)
         trendU_ = trendOmega_ = Zero;
     }
 
-    ambientU_ = ambientOmega_ = false;
+    ambientU_ = ambientOmega_ = dict.lookupOrDefault("ambient", false);
 }
 
 
 void Foam::immersedBody::writeState(Ostream& os) const
 {
     os.beginBlock(name_);
+
+    os.writeEntry("number", number_);
+    if (origin_.size())
+    {
+        origin_.writeEntry("origin", os);
+    }
+    if (passing_.size())
+    {
+        os.writeEntry("passing", passing_);
+        os.writeEntry("held", Switch(fixed_));
+    }
+    if (ambientU_)
+    {
+        // It waits to enter again
+        os.writeEntry("ambient", Switch(true));
+    }
 
     state_.write(os);
     os.writeEntry("velocityTrend", trendU_);

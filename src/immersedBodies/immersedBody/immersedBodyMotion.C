@@ -192,7 +192,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
 
     ddtMomentum_ = ddt(momentum(state_), momentum(old_), momentum(oldOld_));
 
-    if (!isFree())
+    // One that is all but outside the mesh has nothing to go by
+    if (!isFree() || load_.volume < 0.02*volume())
     {
         return 0;
     }

@@ -129,13 +129,42 @@ void Foam::immersedRegion::combineShields
 }
 
 
+void Foam::immersedRegion::append(autoPtr<bodyRegion> region)
+{
+    regions_.append(region.ptr());
+
+    if (regions_.size() > 1)
+    {
+        shieldSum_.setSize(mesh_.nFaces());
+    }
+}
+
+
+void Foam::immersedRegion::remove(const label bodyi)
+{
+    PtrList<bodyRegion> others(regions_.size());
+    label n = 0;
+
+    forAll(regions_, i)
+    {
+        if (regions_[i].body() != bodyi)
+        {
+            others.set(n, regions_.release(i));
+            others[n++].moveUp(bodyi);
+        }
+    }
+
+    others.resize(n);
+    regions_.transfer(others);
+}
+
+
 void Foam::immersedRegion::updateGeometry
 (
-    const PtrList<immersedBody>& bodies
+    const PtrList<immersedBody>& bodies,
+    bool changed
 )
 {
-    bool changed = false;
-
     updateImages(bodies);
 
     for (bodyRegion& region : regions_)
@@ -299,21 +328,27 @@ void Foam::immersedRegion::setRigidMotion
 {
     for (const bodyRegion& region : regions_)
     {
-        const bodyState& state = bodies[region.body()].state();
+        setRigidMotion(bodies[region.body()], region, U);
+    }
+}
 
-        forAll(region.cells, i)
-        {
-            // Linear across the surface: which side a centre on it is taken
-            // to be must not matter
-            const label celli = region.cells[i];
-            const scalar inside = fractionInside(region, i);
 
-            U[celli] +=
-                inside
-               *(
-                    region.velocity(state, mesh_.cellCentres()[celli])
-                  - U[celli]
-                );
-        }
+void Foam::immersedRegion::setRigidMotion
+(
+    const immersedBody& body,
+    const bodyRegion& region,
+    vectorField& U
+) const
+{
+    const vectorField& centres = mesh_.cellCentres();
+
+    forAll(region.cells, i)
+    {
+        // Linear across the surface: which side a centre on it is taken to be
+        // must not matter
+        const label celli = region.cells[i];
+        const vector Ub(region.velocity(body.state(), centres[celli]));
+
+        U[celli] += fractionInside(region, i)*(Ub - U[celli]);
     }
 }

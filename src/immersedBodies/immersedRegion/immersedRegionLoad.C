@@ -188,6 +188,38 @@ void Foam::immersedRegion::addLoad
 }
 
 
+Foam::displacedFluid Foam::immersedRegion::fluidInside
+(
+    const immersedBody& body,
+    const bodyRegion& region,
+    const vectorField& U
+) const
+{
+    const point centre(region.centre(body.state()));
+    displacedFluid fluid;
+
+    forAll(region.cells, i)
+    {
+        const label celli = region.cells[i];
+        const scalar inside = fractionInside(region, i);
+
+        if (inside > 0)
+        {
+            fluid.add
+            (
+                mesh_.V()[celli]*inside,
+                mesh_.cellCentres()[celli] - centre,
+                U[celli]
+            );
+        }
+    }
+
+    fluid.reduce();
+
+    return fluid;
+}
+
+
 void Foam::immersedRegion::addResponse
 (
     const scalar ddtCoeff,

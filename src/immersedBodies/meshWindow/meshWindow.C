@@ -17,7 +17,6 @@ Foam::meshWindow::meshWindow
      == "comoving"
     ),
     direction_(Zero),
-    follow_(-1),
     prescribed_(dict.found("velocity")),
     velocity_(Zero),
     oldVelocity_(Zero),
@@ -41,10 +40,12 @@ Foam::meshWindow::meshWindow
         names.append(body.name());
     }
 
-    follow_ = names.find
-    (
-        keywords::choice(dict, "follow", names, "centroid")
-    ) - 1;
+    follow_ = keywords::choice(dict, "follow", names, "centroid");
+
+    if (follow_ == "centroid")
+    {
+        follow_.clear();
+    }
 
     if (prescribed_)
     {
@@ -104,18 +105,21 @@ void Foam::meshWindow::follow(const PtrList<immersedBody>& bodies)
     }
 
     vector sum(Zero);
+    label n = 0;
 
     for (const immersedBody& body : bodies)
     {
-        sum += body.state().U;
+        if (follow_.empty() || body.name() == follow_)
+        {
+            sum += body.state().U;
+            ++n;
+        }
     }
 
-    const vector U
-    (
-        follow_ < 0 ? sum/bodies.size() : bodies[follow_].state().U
-    );
-
-    velocity_ = (U & direction_)*direction_;
+    if (n)
+    {
+        velocity_ = (sum/n & direction_)*direction_;
+    }
 }
 
 

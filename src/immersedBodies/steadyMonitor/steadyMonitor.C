@@ -93,7 +93,8 @@ void Foam::steadyMonitor::update
     const scalar dt
 )
 {
-    const bool first = values_.empty();
+    // Also if bodies have left
+    const bool first = values_.size() != 4*bodies.size();
     const scalar perT = max(T/dt, 1);
 
     values_.resize(4*bodies.size(), vector::zero);

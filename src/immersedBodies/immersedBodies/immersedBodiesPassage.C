@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "bodyPassage.H"
+#include "compat.H"
+#include "profiling.H"
+
+namespace
+{
+
+//- Take element i out of a list; those after it move up
+template<class Type>
+void erase(Foam::List<Type>& list, const Foam::label i)
+{
+    for (Foam::label j = i + 1; j < list.size(); ++j)
+    {
+        list[j - 1] = list[j];
+    }
+    list.resize(list.size() - 1);
+}
+
+} // End anonymous namespace
+
+
+Foam::autoPtr<Foam::immersedBody> Foam::immersedBodies::take
+(
+    const label bodyi
+)
+{
+    autoPtr<immersedBody> body(bodies_.release(bodyi));
+
+    for (label i = bodyi + 1; i < size(); ++i)
+    {
+        bodies_.set(i - 1, bodies_.release(i).ptr());
+    }
+    bodies_.resize(size() - 1);
+
+    region_.remove(bodyi);
+    erase(nParts_, bodyi);
+    erase(loads_, bodyi);
+    erase(h_, bodyi);
+
+    return body;
+}
+
+
+bool Foam::immersedBodies::leave()
+{
+    const labelList held(passage_->touch(bodies_, region_, loads_));
+    bool good = true;
+    bool changed = false;
+
+    for (const label bodyi : held)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        passage_->table().add
+        (
+            body, "held", body.passing(), window_.displacement()
+        );
+        body.hold();
+    }
+
+    // From the last on, as those after one that is taken out move up
+    for (label bodyi = size() - 1; bodyi >= 0; --bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+        const scalar part = loads_[bodyi].volume/body.volume();
+
+        if (part > 0.02 || body.isFixed())
+        {
+            continue;
+        }
+
+        if (body.passing().empty())
+        {
+            Info<< "Body " << body.name() << " has left the mesh at "
+                << body.state().position + window_.displacement()
+                << ", moving with " << body.state().U << endl;
+            good = false;
+            continue;
+        }
+
+        passage_->table().add
+        (
+            body, "leaves", body.passing(), window_.displacement()
+        );
+        passage_->take(take(bodyi));
+        changed = true;
+    }
+
+    if (changed)
+    {
+        region_.updateGeometry(bodies_, true);
+    }
+
+    return good;
+}
+
+
+bool Foam::immersedBodies::enter
+(
+    autoPtr<immersedBody>& body,
+    const scalar gap,
+    volVectorField& U
+)
+{
+    autoPtr<bodyRegion> region(new bodyRegion(size()));
+    region->update
+    (
+        body(), region_.search(), region_.resistance().bandWidth()
+    );
+
+    // Size of the cells, and is the centre in one
+    const Pair<scalar> local(largestCells(region()));
+    scalarField largest(3);
+    largest[0] = local.first();
+    largest[1] = local.second();
+    largest[2] =
+        region_.search().findCell(body->state().position) < 0 ? 0 : 1;
+    compat::allReduce(largest, maxEqOp<scalar>());
+
+    const scalar h = cellSize(body(), {largest[0], largest[1]});
+
+    if
+    (
+        largest[2] == 0
+     || !passage_->room(body(), region(), bodies_, h, gap)
+    )
+    {
+        return false;
+    }
+
+    const displacedFluid fluid(region_.fluidInside(body(), region(), U));
+
+    body->setAmbient(fluid.velocity(), fluid.angularVelocity());
+
+    // As at the start of a run, for all time levels there are
+    region_.setRigidMotion(body(), region(), U.primitiveFieldRef());
+    if (U.nOldTimes())
+    {
+        region_.setRigidMotion
+        (
+            body(), region(), U.oldTime().primitiveFieldRef()
+        );
+    }
+
+    bodies_.append(body.ptr());
+    region_.append(region);
+    nParts_.append(1);
+    loads_.append(bodyLoad());
+    h_.append(h);
+
+    return true;
+}
+
+
+bool Foam::immersedBodies::enterAgain(volVectorField& U)
+{
+    PtrList<immersedBody>& waiting = passage_->waiting();
+    PtrList<immersedBody> still;
+    const label nOld = size();
+
+    for (label i = 0; i < waiting.size(); ++i)
+    {
+        autoPtr<immersedBody> body(waiting.release(i));
+
+        if (enter(body, 0, U))
+        {
+            passage_->table().add
+            (
+                bodies_.last(), "enters", "again", window_.displacement()
+            );
+        }
+        else
+        {
+            still.append(body.ptr());
+        }
+    }
+    waiting.transfer(still);
+
+    return size() > nOld;
+}
+
+
+bool Foam::immersedBodies::inject(volVectorField& U)
+{
+    const label nOld = size();
+
+    // A body that is due at the end of the step must not miss it by rounding
+    const scalar t = clock_ + 1e-6*mesh_.time().deltaTValue();
+
+    for (injector& one : passage_->injectors())
+    {
+        label tries = 0;
+
+        while (one.schedule().due() <= t && tries < one.maxTries())
+        {
+            const bool first = one.first();
+            autoPtr<immersedBody> body(one.draw());
+
+            body->setNumber(passage_->nextNumber());
+            ++tries;
+
+            if (enter(body, one.gap(), U))
+            {
+                passage_->useNumber();
+                passage_->table().add
+                (
+                    bodies_.last(), "enters", one.name(),
+                    window_.displacement()
+                );
+                one.advance();
+                tries = 0;
+            }
+            else if (first && one.maxTries() == 1)
+            {
+                Info<< "Body " << body->name() << " waits: no room at "
+                    << body->state().position << endl;
+            }
+        }
+
+        if (tries && one.maxTries() > 1)
+        {
+            Info<< "The next body of " << one.name()
+                << " waits: no room at " << tries << " places" << endl;
+        }
+    }
+
+    return size() > nOld;
+}
+
+
+void Foam::immersedBodies::enter(volVectorField& U)
+{
+    if (!passage_->due(clock_ + 1e-6*mesh_.time().deltaTValue()))
+    {
+        return;
+    }
+
+    addProfiling(enter, "immersedBodies::enter");
+
+    const bool again = enterAgain(U);
+    const bool injected = inject(U);
+
+    if (again || injected)
+    {
+        U.correctBoundaryConditions();
+        region_.updateGeometry(bodies_, true);
+    }
+}

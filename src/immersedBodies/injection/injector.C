@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "injector.H"
+#include "bodyOrientation.H"
+#include "checkKeywords.H"
+#include "keyedRandom.H"
+
+namespace
+{
+
+//- Numbers of the draws for a body; places come after them
+enum draws { SIZE = 0, DENSITY = 1, ORIENTATION = 2, PLACE = 3 };
+
+} // End anonymous namespace
+
+
+Foam::injector::injector
+(
+    const word& name,
+    const dictionary& dict,
+    const geometricSpace& space,
+    const polyMesh& mesh,
+    const scalar rho
+)
+:
+    name_(name),
+    dict_(dict),
+    space_(space),
+    rho_(rho),
+    schedule_(dict),
+    place_(dict, space, mesh),
+    seed_(isRandom(dict) ? dict.get<label>("seed") : 0),
+    gap_(dict.lookupOrDefault<scalar>("gap", 0)),
+    maxTries_(label(keywords::positiveOr(dict, "tries", 20))),
+    shapeNumber_(-1),
+    tries_(0)
+{
+    wordList valid(injectionSchedule::keywords);
+    valid.append(injectionPlace::keywords);
+    valid.append
+    (
+        wordList
+        ({
+            "shape", "size", "density", "densityRatio", "velocity",
+            "angularVelocity", "constraints", "orientation", "gap", "tries"
+        })
+    );
+    keywords::check(dict, valid);
+
+    densityKey_ = dict.found("density") ? "density" : "densityRatio";
+    size_ = readDistribution("size");
+    density_ = readDistribution(densityKey_);
+
+    if (!dict.found("velocity"))
+    {
+        dict_.add("velocity", word("ambient"));
+    }
+
+    // Wrong entries are refused now
+    draw();
+    tries_ = 0;
+}
+
+
+bool Foam::injector::isRandom(const dictionary& dict)
+{
+    return
+        dict.found("region") || dict.found("patch") || dict.isDict("size")
+     || dict.isDict("density") || dict.isDict("densityRatio")
+     || bodyOrientation::isRandom(dict);
+}
+
+
+Foam::autoPtr<Foam::distributionModel> Foam::injector::readDistribution
+(
+    const word& key
+)
+{
+    autoPtr<distributionModel> model;
+
+    if (!dict_.isDict(key))
+    {
+        if (dict_.found(key))
+        {
+            keywords::positive(dict_, key);
+        }
+        return model;
+    }
+
+    model = distributionModel::New(dict_.subDict(key), random_);
+
+    if (!(model->minValue() > 0))
+    {
+        FatalIOErrorInFunction(dict_.subDict(key))
+            << "Values of '" << key << "' in '" << name_
+            << "' must be greater than 0, and may be " << model->minValue()
+            << nl << exit(FatalIOError);
+    }
+
+    return model;
+}
+
+
+Foam::scalar Foam::injector::value
+(
+    const autoPtr<distributionModel>& distribution,
+    const word& key,
+    const label draw
+)
+{
+    if (!distribution.valid())
+    {
+        return dict_.lookupOrDefault<scalar>(key, 1);
+    }
+
+    // Not reset(): that would keep a second Gaussian number
+    random_ = keyedRandom::generator(seed_, schedule_.next(), draw);
+
+    return distribution->sample();
+}
+
+
+std::shared_ptr<const Foam::bodyShape> Foam::injector::scaledShape
+(
+    const scalar size
+) const
+{
+    dictionary shape(dict_.subDict("shape"));
+
+    for (const char* key : {"radius", "length", "size", "semiAxes", "scale"})
+    {
+        if (shape.found(key))
+        {
+            const tokenList& given = shape.lookup(key);
+            tokenList tokens(given);
+
+            for (token& t : tokens)
+            {
+                if (t.isNumber())
+                {
+                    t = token(size*t.number());
+                }
+            }
+            shape.set(new primitiveEntry(key, std::move(tokens)));
+        }
+    }
+
+    if (shape.get<word>("type") == "triSurface" && !shape.found("scale"))
+    {
+        shape.add("scale", size);
+    }
+
+    return std::shared_ptr<const bodyShape>
+    (
+        bodyShape::New(shape, space_).ptr()
+    );
+}
+
+
+Foam::autoPtr<Foam::immersedBody> Foam::injector::draw()
+{
+    const label number = schedule_.next();
+    const scalar size = value(size_, "size", SIZE);
+
+    if (!shape_ || (size_.valid() && number != shapeNumber_))
+    {
+        shape_ = scaledShape(size);
+        shapeNumber_ = number;
+    }
+
+    Random places(keyedRandom::generator(seed_, number, PLACE + tries_));
+    Random turns(keyedRandom::generator(seed_, number, ORIENTATION));
+    ++tries_;
+
+    dictionary dict(dict_);
+
+    if (dict.found(densityKey_))
+    {
+        dict.set(densityKey_, value(density_, densityKey_, DENSITY));
+    }
+
+    autoPtr<immersedBody> body
+    (
+        new immersedBody
+        (
+            name_ + Foam::name(number + 1),
+            dict,
+            shape_,
+            space_,
+            place_.position(number, shape_->boundingRadius(), places),
+            rho_,
+            bodyOrientation::isRandom(dict_)
+          ? bodyOrientation::draw(turns, space_)
+          : bodyOrientation::read(dict_, space_)
+        )
+    );
+
+    dictionary origin;
+    origin.add("injector", name_);
+    origin.add("size", size);
+    origin.add("densityRatio", body->densityRatio());
+    body->setOrigin(origin);
+
+    return body;
+}
+
+
+void Foam::injector::advance()
+{
+    schedule_.advance();
+    tries_ = 0;
+}
