@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A plane tube, y = -1 to 1, that bodies can pass through: half the viscosity
-of the flow makes it Re = 2 with the mean speed 1, from 0 to LENGTH along x.
+"""A plane tube, y = -1 to 1, from x = 0 to LENGTH, that bodies pass through:
+mean speed 1, Re = 2.
 
     case = open_tube(folder, driven="pressure")
     case.bodies("", INJECTION)

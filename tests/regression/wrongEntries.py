@@ -4,6 +4,16 @@
 FILE = "constant/immersedBodyProperties"
 BODY = "position    (-0.53 -0.3 0);"
 
+
+
+def injector(entries):
+    """Text with an injector, and what it has to come before."""
+    return (
+        "injection { seeds { shape { type disc; radius 0.2; }"
+        f" densityRatio 2; {entries} }} }}\nbodies\n"
+    )
+
+
 # What is wrong: (file, text of the case, text instead, parts of the message)
 WRONG = {
     # Keywords
@@ -189,6 +199,77 @@ WRONG = {
     "file of positions": (
         FILE, BODY, 'positionsFile "constant/grains";',
         ["'positionsFile'", "constant/grains", FILE],
+    ),
+
+    # Leaving and entering
+    "patch that is a wall": (
+        FILE, "bodies\n", "leaving { walls { type remove; } }\nbodies\n",
+        ["'walls' in 'leaving'", "Valid keywords: default inlet outlet",
+         FILE],
+    ),
+    "patch": (
+        FILE, "bodies\n", "leaving { outlett { type remove; } }\nbodies\n",
+        ["'outlett'", "nearest valid one is 'outlet'", FILE],
+    ),
+    "patches that no patch matches": (
+        FILE, "bodies\n", 'leaving { "out_.*" { type remove; } }\nbodies\n',
+        ['"out_.*"', "matches no patch", "(default inlet outlet)", FILE],
+    ),
+    "type of leaving": (
+        FILE, "bodies\n", "leaving { outlet { type delete; } }\nbodies\n",
+        ["'type delete' in 'outlet'", "stop remove hold reinject", FILE],
+    ),
+    "leaving in one word": (
+        FILE, "bodies\n", "leaving { outlet remove; }\nbodies\n",
+        ["'outlet' in 'leaving'", "'{ type remove; }'", FILE],
+    ),
+    "reinjection without a place": (
+        FILE, "bodies\n", "leaving { outlet { type reinject; } }\nbodies\n",
+        ["'type reinject' in 'outlet'", "'shift' and 'position'", FILE],
+    ),
+    "injector without times": (
+        FILE, "bodies\n", injector("position (0 0 0);"),
+        ["'seeds'", "exactly one of 'times' [s] and 'rate' [1/s]", FILE],
+    ),
+    "keyword of an injector": (
+        FILE, "bodies\n", injector("position (0 0 0); rate 1; ends 2;"),
+        ["'ends' in 'seeds'", "nearest valid one is 'end'", FILE],
+    ),
+    "random injection without a seed": (
+        FILE, "bodies\n",
+        injector("position (0 0 0); rate 1; intervals random;"),
+        ["seed", FILE],
+    ),
+    "injector without a place": (
+        FILE, "bodies\n", injector("rate 1;"),
+        ["'seeds' needs exactly one of", "positions region patch", FILE],
+    ),
+    "patch of an injector": (
+        FILE, "bodies\n", injector("rate 1; patch { name inled; } seed 1;"),
+        ["'name inled' in 'patch'", "nearest valid one is 'inlet'", FILE],
+    ),
+    "distribution": (
+        FILE, "bodies\n", injector(
+            "rate 1; position (0 0 0); seed 1; size { type unifrm; }"
+        ),
+        ["unifrm", "uniform", "RosinRammler", FILE],
+    ),
+    "sizes below zero": (
+        FILE, "bodies\n", injector(
+            "rate 1; position (0 0 0); seed 1; size { type uniform;"
+            " uniformDistribution { minValue 0; maxValue 1; } }"
+        ),
+        ["'size' in 'seeds'", "greater than 0", FILE],
+    ),
+    "injector with the name of a body": (
+        FILE, "bodies\n{\n    disc",
+        injector("rate 1; position (0 0 0);") + "{\n    seeds12",
+        ["'seeds'", "'seeds12'", "another name", FILE],
+    ),
+    "injection and a steady state": (
+        FILE, "bodies\n",
+        "steady {} " + injector("rate 1; position (0 0 0);"),
+        ["'steady'", "remove 'injection'", FILE],
     ),
 
     # Other dictionaries

@@ -193,10 +193,10 @@ bool Foam::immersedBodies::inject(volVectorField& U)
     for (injector& one : passage_->injectors())
     {
         label tries = 0;
+        bool first = one.first();
 
         while (one.schedule().due() <= t && tries < one.maxTries())
         {
-            const bool first = one.first();
             autoPtr<immersedBody> body(one.draw());
 
             body->setNumber(passage_->nextNumber());
@@ -212,18 +212,14 @@ bool Foam::immersedBodies::inject(volVectorField& U)
                 );
                 one.advance();
                 tries = 0;
-            }
-            else if (first && one.maxTries() == 1)
-            {
-                Info<< "Body " << body->name() << " waits: no room at "
-                    << body->state().position << endl;
+                first = true;
             }
         }
 
-        if (tries && one.maxTries() > 1)
+        if (tries && first)
         {
-            Info<< "The next body of " << one.name()
-                << " waits: no room at " << tries << " places" << endl;
+            Info<< "Body " << one.name() << one.schedule().next() + 1
+                << " waits: no room where it is to enter" << endl;
         }
     }
 

@@ -173,7 +173,9 @@ Foam::labelList Foam::bodyPassage::touch
         {
             continue;
         }
-        if (smallest[bodyi] > 0)
+
+        // One that has just been put beside a patch may touch it by rounding
+        if (smallest[bodyi] > -1e-6*body.shape().boundingRadius())
         {
             // Not while the last of it is beyond the patch
             if (loads[bodyi].volume > 0.5*body.volume())
