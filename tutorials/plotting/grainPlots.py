@@ -41,7 +41,7 @@ def readBodies(file):
     with open(file) as lines:
         for line in lines:
             if not line.startswith("#"):
-                break
+                continue
             if "time[" in line:
                 columns = [re.sub(r"\[.*", "", c)
                            for c in line.strip("# \n").split("\t")]
@@ -49,6 +49,9 @@ def readBodies(file):
             elif re.match(r"#\s*\d+\s*:", line):
                 number, name = line.strip("# \n").split(":")
                 names[int(number)] = name.strip()
+
+    if not names:
+        return {}
 
     table = np.loadtxt(file, ndmin=2)
     bodyOf = table[:, columns.index("body")].astype(int)
@@ -80,6 +83,24 @@ def readSeries(case, functionObject, file):
 
 def readMotion(case, functionObject="motion"):
     return readSeries(case, functionObject, "immersedBodyMotion.dat")
+
+
+def readPassage(case):
+    """Bodies that enter and leave, one {"time": ..., "what": ...} each."""
+    folder = pathlib.Path(case)/"postProcessing/immersedBodies"
+    events = []
+
+    for file in sorted(folder.glob("*/passage.dat"),
+                       key=lambda f: float(f.parent.name)):
+        for line in file.read_text().splitlines():
+            words = line.strip("# ").split()
+            if "time[" in line:
+                columns = [re.sub(r"\[.*", "", c) for c in words]
+            elif not line.startswith("#"):
+                values = [*map(float, words[:-3]), *words[-3:]]
+                events.append(dict(zip(columns, values)))
+
+    return events
 
 
 def planeTimes(case, functionObject="plane"):

@@ -82,9 +82,7 @@ Foam::scalar Foam::immersedBodies::cellSize
 
 void Foam::immersedBodies::measureCells()
 {
-    scalarField atSurface(bodies_.size()), inBand(bodies_.size());
-
-    atSurface = inBand = 0;
+    scalarField atSurface(size(), Zero), inBand(size(), Zero);
 
     for (const bodyRegion& region : region_.regions())
     {
