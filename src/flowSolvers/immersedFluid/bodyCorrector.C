@@ -40,6 +40,13 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
             fluidSpeed() + mag(bodies_->window().velocity()),
             change
         );
+
+        // From rest only the first iteration knows how fast it will be
+        if (CoNum < SMALL)
+        {
+            speedScale_ =
+                max(speedScale_, gMax(mag(U_.primitiveField())()));
+        }
     }
 
     // Through the mesh, the first iteration knows the pressure of the old pose
