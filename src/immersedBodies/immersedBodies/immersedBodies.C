@@ -2,9 +2,7 @@
 
 #include "immersedBodies.H"
 #include "bodyPassage.H"
-#include "compat.H"
 #include "checkKeywords.H"
-#include "fvcGrad.H"
 
 namespace Foam
 {
@@ -200,71 +198,4 @@ Foam::scalar Foam::immersedBodies::courantNo() const
     }
 
     return Co*mesh_.time().deltaTValue();
-}
-
-
-void Foam::immersedBodies::setAmbient(const volVectorField& U)
-{
-    bool needed = false;
-
-    for (const immersedBody& body : bodies_)
-    {
-        needed = needed || body.needsAmbient();
-    }
-
-    if (!needed)
-    {
-        window_.follow(bodies_);
-        return;
-    }
-
-    // Gradients at the cell with the centre: the flow as it is at the centre,
-    // and half its vorticity
-    const volTensorField gradU(fvc::grad(U));
-    vectorField centreU(bodies_.size(), Zero), spin(bodies_.size(), Zero);
-    labelList found(bodies_.size(), 0);
-
-    forAll(bodies_, bodyi)
-    {
-        const point& centre = bodies_[bodyi].state().position;
-
-        for (const vector& shift : periodicity_.localShifts(centre, 0))
-        {
-            const point x(centre + shift);
-            const label celli = region_.search().findCell(x);
-
-            if (celli >= 0)
-            {
-                const tensor& G = gradU[celli];
-
-                ++found[bodyi];
-                centreU[bodyi] += U[celli] + ((x - mesh_.C()[celli]) & G);
-                spin[bodyi] += 0.5*vector
-                (
-                    G.yz() - G.zy(), G.zx() - G.xz(), G.xy() - G.yx()
-                );
-            }
-        }
-    }
-
-    compat::allReduce(centreU, plusEqOp<vector>());
-    compat::allReduce(spin, plusEqOp<vector>());
-    compat::allReduce(found, plusEqOp<label>());
-
-    forAll(bodies_, bodyi)
-    {
-        // A point on the face between two processors may be found by both, one
-        // on a cyclic patch twice
-        const scalar n = max(found[bodyi], 1);
-
-        bodies_[bodyi].setAmbient(centreU[bodyi]/n, spin[bodyi]/n);
-    }
-    window_.follow(bodies_);
-}
-
-
-void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
-{
-    region_.setRigidMotion(bodies_, U.primitiveFieldRef());
-    U.correctBoundaryConditions();
 }
