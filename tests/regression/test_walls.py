@@ -6,7 +6,6 @@ import pytest
 
 import roundTube
 from boxMesh import uniform
-from foamCase import FoamError
 from wallFlow import CASE, WallFlow, annulus, channel, order, turned, vector
 
 NU = 0.5
@@ -223,65 +222,3 @@ def test_nothing_flows_through(tmp_path):
     for wall in ("top", "bottom"):
         assert np.abs(case.values("phi", patch=wall)).max() < 1e-15
     assert np.abs(case.values("U")).max() > 0.01
-
-
-VARIED = "type robinVelocity; a table ((0 1) (8 3)); " \
-    "K nonuniform List<vector> 2((1 0 0) (2 0 0));"
-
-
-@pytest.fixture
-def varied(tmp_path):
-    """A channel with conditions that vary in space and time."""
-    case = channel(tmp_path, "varied", 8, turned(33))
-    case.condition("top", VARIED)
-    case.condition("bottom", "type robinVelocity; slipLength 0.1;"
-                   "wallVelocity sine; wallVelocityCoeffs { amplitude 1;"
-                   " frequency 0.1; scale (1 1 0); level (0 0 0); }")
-    case.set("system/controlDict", "endTime", 8)
-    case.set("system/controlDict", "writeInterval", 4)
-    case.set("system/controlDict", "writePrecision", 17)
-    return case
-
-
-def test_restart_is_exact(varied, tmp_path):
-    case = WallFlow(varied.path, tmp_path, "parts")
-    case.set("system/controlDict", "endTime", 4)
-    for run in (varied, case):
-        run.run("foamRun")
-    case.set("system/controlDict", "endTime", 8)
-    case.run("foamRun")
-    for field in ("U", "p", "phi"):
-        parts, at_once = (
-            (run.path / "8" / field).read_bytes() for run in (case, varied)
-        )
-        assert parts == at_once
-
-
-def test_two_ranks_and_back(varied, tmp_path):
-    """The first rank has none of the faces at the top."""
-    case = WallFlow(varied.path, tmp_path, "ranks")
-    case.replace("system/decomposeParDict", "(2 1 1)", "(1 2 1)")
-    varied.run("foamRun")
-    case.run("decomposePar")
-    case.run("foamRun", ranks=2)
-    case.run("reconstructPar", "-latestTime")
-    assert np.abs(case.values("U") - varied.values("U")).max() < 1e-8
-    text = (case.path / "8/U").read_text()
-    assert "slipLength" in text and "(2 0 0)" in text and "table" in text
-
-
-@pytest.mark.parametrize("entries, message", {
-    "a 1; slipLength 1;": "only one of 'a' [1/m] and 'slipLength'",
-    "": "needs one of 'a' [1/m] and 'slipLength'",
-    "a 1; Kay (1 0 0);": "'Kay'",
-    "slipLenght 1;": "nearest valid one is 'slipLength'",
-    "a -1;": "'a -1' of patch 'top'",
-    "a table ((0 1) (1 -1));": "'a -1' of patch 'top'",
-}.items())
-def test_wrong_entries_are_refused(entries, message, tmp_path):
-    case = channel(tmp_path, "wrong", 4)
-    case.condition("top", f"type robinVelocity; {entries}")
-    with pytest.raises(FoamError):
-        case.run("foamRun")
-    log = (case.path / "log.foamRun").read_text()
-    assert message in log and "0/U" in log

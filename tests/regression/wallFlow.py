@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flows along walls with closed forms: a channel of any orientation, an annulus.
+"""Flows along walls with closed forms: a channel of any direction, an annulus.
 
     case = channel(tmp_path, "c", cells=10, rotation=turned(33))
     case.condition("top", "type robinVelocity; a 2; K (1 0 0);")
@@ -74,7 +74,11 @@ class WallFlow(FoamCase):
         text = text.split(begin, 1)[1]
         if patch:
             text = text.split("}", 1)[0].split("value ", 1)[1]
-        start = text.index("(", text.index("List<") + 1)
+        text = text[text.index("uniform"):]
+        if "List<" not in text[:40]:
+            value = re.sub("[()]", " ", text[:text.index(";")]).split()[1:]
+            return np.array(value, dtype=float).reshape(1, -1)
+        start = text.index("(")
         numbers = text[start:text.index(";", start)].replace(")", ") ")
         size = 1 if "List<scalar>" in text[:start] else 3
         numbers = re.sub("[()]", " ", numbers).split()
@@ -135,7 +139,7 @@ def channel(folder, name, cells, rotation=None, three_d=False):
 
 
 def annulus(folder, name, inner, outer, cells):
-    """Ring of cells over its width, the inner wall `bottom`, the outer `top`."""
+    """Ring, cells over its width; the inner wall is `bottom`, the outer `top`."""
     case = WallFlow(CASE, folder, name)
     angles = [math.radians(45 + 90*i) for i in range(4)]
     vertices = [

@@ -50,7 +50,10 @@ TEST_CASE("Profiles have the mean speed and obey the condition at the walls")
 {
     for (const char* shape : {"plates", "round"})
     {
-        for (const char* wall : {"a 3", "slipLength 0.4", "a 0", "slipLength 0"})
+        for
+        (
+            const char* wall : {"a 3", "slipLength 0.4", "a 0", "slipLength 0"}
+        )
         {
             const scalar R = 0.3, mean = 1.7, K = 5, uw = 0.6;
             const tubeFlow flow
@@ -86,7 +89,7 @@ TEST_CASE("Profiles have the mean speed and obey the condition at the walls")
             const scalar slip =
                 name[0] == 'a' ? 1 : name == "slipLength 0" ? 0 : 0.4;
 
-            CHECK(friction*(u - uw) + slip*(slope - K) == Approx(0).margin(1e-6));
+            CHECK(mag(friction*(u - uw) + slip*(slope - K)) < 1e-6);
         }
     }
 }
