@@ -254,7 +254,7 @@ def test_a_step_after_an_entry_can_be_repeated(tmp_path):
     case.mesh([-1, (2, 40, 1)], [-1, (2, 40, 1)])
     case.replace("constant/transportProperties", "0.5;", "1e-3;")
     case.bodies("", """
-        coupling { nOuterCorrectors 6; }
+        coupling { nOuterCorrectors 3; }
         injection
         {
             light

@@ -65,9 +65,8 @@ bool Foam::immersedBodies::leave()
     for (label bodyi = size() - 1; bodyi >= 0; --bodyi)
     {
         const immersedBody& body = bodies_[bodyi];
-        const scalar part = loads_[bodyi].volume/body.volume();
 
-        if (part > 0.02 || body.isFixed())
+        if (inMesh(bodyi) || body.isFixed())
         {
             continue;
         }

@@ -145,11 +145,17 @@ Foam::scalar Foam::immersedBodies::correct
 
     forAll(bodies_, bodyi)
     {
-        change = max
-        (
-            change,
-            bodies_[bodyi].correctVelocity(loads_[bodyi], ddt, g_)
-        );
+        immersedBody& body = bodies_[bodyi];
+
+        // One that is all but outside the mesh has nothing to go by
+        if (!body.isFree() || inMesh(bodyi))
+        {
+            change = max
+            (
+                change,
+                body.correctVelocity(loads_[bodyi], ddt, g_)
+            );
+        }
     }
 
     window_.follow(bodies_);

@@ -192,8 +192,7 @@ Foam::scalar Foam::immersedBody::correctVelocity
 
     ddtMomentum_ = ddt(momentum(state_), momentum(old_), momentum(oldOld_));
 
-    // One that is all but outside the mesh has nothing to go by
-    if (!isFree() || load_.volume < 0.02*volume())
+    if (!isFree())
     {
         return 0;
     }
