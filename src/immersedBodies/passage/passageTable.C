@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "passageTable.H"
+#include "OSspecific.H"
 
 Foam::passageTable::passageTable(const objectRegistry& mesh)
 :
@@ -13,9 +14,13 @@ Foam::passageTable::passageTable(const objectRegistry& mesh)
 
 void Foam::passageTable::writeHeader()
 {
-    filePtr_ = createFile(fileName_);
+    const fileName folder(baseTimeDir());
+
+    mkDir(folder);
+    filePtr_.reset(new OFstream(folder/(fileName_ + ".dat")));
 
     OFstream& os = filePtr_();
+    initStream(os);
 
     writeFile::writeHeader(os, "Bodies that enter and leave");
     writeCommented(os, "time[s]");
