@@ -29,7 +29,10 @@ WALLS = {"U": "noSlip", "p": "zeroGradient"}
 
 
 def stretch(length, h, h_end, growth):
-    """Sections from cells of size h to such of size h_end."""
+    """Sections from cells of size h to such of size h_end; none if there is
+    no length."""
+    if length < 1e-9*h:
+        return []
     first = coarsen(0.5*length, h, growth)
     last = coarsen(0.5*length, h_end, growth)
     return [first, (last[0], last[1], 1/last[2])]
@@ -48,16 +51,16 @@ class EndCase(BodyCase):
     """Force in viscous units, over nu."""
 
     def __init__(self, folder, name, h, core, h_end, force, growth=1.06,
-                 **conditions):
+                 half_length=HALF_LENGTH, **conditions):
         super().__init__("tube", folder, name)
         self.controls(writeFormat="ascii", writePrecision="12")
         # Nearly the flow that comes out
         self.replace(
             "system/setExprFieldsDict", "1.5*",
-            f"{force/(4*HALF_LENGTH):.8g}*",
+            f"{force/(4*half_length):.8g}*",
         )
         self.cells = self.mesh(
-            direction(HALF_LENGTH, core[0], h, h_end, growth),
+            direction(half_length, core[0], h, h_end, growth),
             direction(1, core[1], h, h_end, growth),
         )
         self.conditions(force, **conditions)
