@@ -5,7 +5,7 @@ at which it has no lift."""
 import numpy as np
 
 from bodyCase import BodyCase
-from boxMesh import graded
+from boxMesh import graded, uniform
 from measure import DEPTH, Run, around
 
 RADIUS = 0.065
@@ -57,7 +57,7 @@ def solve(folder, a, y, cells):
     set_walls(case, a)
     n = case.mesh(
         graded(-3, 3, around(0, 6.4*RADIUS, h), h, 1.04),
-        graded(-1, 1, around(y, 6.4*RADIUS, h), h, 1.04),
+        uniform(-1, 1, round(2/h)),
     )
     case.bodies(f"""
         disc
