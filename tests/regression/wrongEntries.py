@@ -56,8 +56,8 @@ WRONG = {
          "distanceWeighted", FILE],
     ),
     "type of contact": (
-        FILE, "bodies\n", "contact { type softSphere; }\nbodies\n",
-        ["'type softSphere'", "none", "contact", FILE],
+        FILE, "bodies\n", "contact { type softSpheres; }\nbodies\n",
+        ["'type softSpheres'", "none", "contact", FILE],
     ),
     "sphere in 2D": (
         FILE, "type disc", "type sphere",

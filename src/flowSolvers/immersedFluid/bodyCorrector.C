@@ -27,8 +27,13 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         free && outer_ == 1
     );
 
-    // A body that hardly moves yet is compared with the fluid
-    const scalar speed = max(bodies_->maxSpeed(), 0.01*fluidSpeed());
+    // A body that hardly moves yet is compared with the fluid, one at rest on
+    // others with what keeps it there
+    const scalar speed = max
+    (
+        max(bodies_->maxSpeed(), bodies_->contactSpeed()),
+        0.01*fluidSpeed()
+    );
 
     change_ = change/max(speed, VSMALL);
     if (outer_ == 1)
@@ -38,7 +43,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         speedScale_ = max
         (
             fluidSpeed() + mag(bodies_->window().velocity()),
-            change
+            max(change, bodies_->contactSpeed())
         );
 
         // From rest only the first iteration knows how fast it will be

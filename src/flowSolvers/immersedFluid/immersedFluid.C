@@ -101,7 +101,8 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         << (bodies_->moving() ? "" : "motion of bodies, ")
         << (stokes_ ? "convection, " : "")
         << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
-        << "contact" << nl << endl;
+        << (bodies_->contact() ? "" : "contact, ")
+        << "lubrication" << nl << endl;
 }
 
 

@@ -48,5 +48,5 @@ void Foam::functionObjects::immersedBodyForces::writeRow
 
     writeVector(os, rho*body.fluidForce());
     writeVector(os, rho*body.fluidTorque());
-    writeVector(os, Zero);
+    writeVector(os, rho*body.contactForce().linear);
 }

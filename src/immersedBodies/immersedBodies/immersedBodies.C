@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "bodyPassage.H"
 #include "checkKeywords.H"
+#include "contactModel.H"
 
 namespace Foam
 {
@@ -85,6 +86,7 @@ Foam::immersedBodies::immersedBodies
     passage_(new bodyPassage(dict_, space_, mesh, rho_, bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
+    contact_(contactModel::New(dict.subOrEmptyDict("contact"), rho_)),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
     region_
@@ -96,7 +98,7 @@ Foam::immersedBodies::immersedBodies
         bodies_.size(),
         moving_
     ),
-    proximity_(mesh, periodicity_),
+    proximity_(mesh, periodicity_, contact_()),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
     nOuterCorrectors_(30),
@@ -104,6 +106,11 @@ Foam::immersedBodies::immersedBodies
     steady_(dict)
 {
     const dictionary& coupling = dict.subOrEmptyDict("coupling");
+
+    if (contact_->active())
+    {
+        walls_.reset(new wallFacets(mesh, space_));
+    }
 
     nOuterCorrectors_ = label
     (
@@ -135,7 +142,8 @@ Foam::immersedBodies::immersedBodies
     if (proximity_.check(bodies_, region_, h_, mesh_))
     {
         FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
-            << "'bodies' must not overlap each other or a wall: "
+            << "'bodies' must not overlap each other or a wall"
+            << (contact_->active() ? " by that much: " : ": ")
             << proximity_.overlaps().c_str() << nl << exit(FatalIOError);
     }
 }
@@ -166,6 +174,25 @@ Foam::scalar Foam::immersedBodies::maxSpeed() const
     for (const immersedBody& body : bodies_)
     {
         speed = max(speed, body.maxSpeed());
+    }
+
+    return speed;
+}
+
+
+bool Foam::immersedBodies::contact() const
+{
+    return contact_->active();
+}
+
+
+Foam::scalar Foam::immersedBodies::contactSpeed() const
+{
+    scalar speed = 0;
+
+    for (const immersedBody& body : bodies_)
+    {
+        speed = max(speed, body.contactSpeed());
     }
 
     return speed;

@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "bodyPassage.H"
 #include "checkKeywords.H"
+#include "contactModel.H"
 #include "uniformDimensionedFields.H"
 
 Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
@@ -112,7 +113,6 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     };
 
     onlyChoice("motion", "matching");
-    onlyChoice("contact", "none");
     onlyChoice("lubrication", "none");
 
     return dict;
@@ -146,6 +146,7 @@ bool Foam::immersedBodies::readState()
     window_.readState(states.subDict("window"));
 
     passage_->readState(states, bodies_);
+    contact_->readState(states);
     h_ = states.lookupOrDefault<scalarList>("cellSizes", scalarList());
 
     return true;
@@ -199,6 +200,13 @@ void Foam::immersedBodies::report(Ostream& os) const
     os  << nl << "    coupling: at most " << nOuterCorrectors_
         << " iterations, tolerance " << tolerance_ << nl;
 
+    if (contact_->active())
+    {
+        os  << "    contact: ";
+        contact_->report(os);
+        os  << nl;
+    }
+
     if (steady_.active())
     {
         os  << "    steady: ends at a residual of " << steady_.tolerance()
@@ -215,6 +223,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     os.writeEntry("time", clock_);
     window_.writeState(os);
     passage_->writeState(os);
+    contact_->writeState(os);
 
     // As text, whatever the format
     os.writeKeyword("cellSizes") << token::BEGIN_LIST;

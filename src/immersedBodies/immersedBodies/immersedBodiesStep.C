@@ -2,6 +2,7 @@
 
 #include "immersedBodies.H"
 #include "compat.H"
+#include "contactModel.H"
 #include "profiling.H"
 
 Foam::scalar Foam::immersedBodies::stepRatio() const
@@ -48,6 +49,16 @@ void Foam::immersedBodies::predictPoses()
     for (immersedBody& body : bodies_)
     {
         body.predictPose(dt, window_.meanVelocity());
+    }
+
+    if (contact_->active())
+    {
+        addProfiling(contact, "immersedBodies::contact");
+
+        contact_->advance
+        (
+            bodies_, walls_(), periodicity_, dt, window_.meanVelocity()
+        );
     }
 }
 
@@ -210,6 +221,7 @@ bool Foam::immersedBodies::endStep()
     // The poses that go with the last correction of the velocities
     predictPoses();
     shareState();
+    contact_->endStep();
 
     for (immersedBody& body : bodies_)
     {

@@ -26,6 +26,7 @@ Foam::immersedBody::immersedBody
     ambientU_(false),
     ambientOmega_(false),
     wrapped_(Zero),
+    contactForce_{Zero, Zero},
     ddtMomentum_{Zero, Zero}
 {
     state_.position = space.inPlane(position);
@@ -61,6 +62,8 @@ void Foam::immersedBody::restart()
 {
     old_ = oldOld_ = state_;
     trendU_ = trendOmega_ = Zero;
+    contactU_ = contactOmega_ = oldContactU_ = oldContactOmega_ = Zero;
+    contactForce_ = rigidMomentum{Zero, Zero};
 }
 
 

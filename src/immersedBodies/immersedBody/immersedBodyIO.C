@@ -217,6 +217,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
 
     wrapped_ = dict.lookupOrDefault<vector>("wrapped", Zero);
+    contactU_ = dict.lookupOrDefault<vector>("contactVelocity", Zero);
+    contactOmega_ = dict.lookupOrDefault<vector>("contactSpin", Zero);
 
     old_ = oldOld_ = bodyState(old);
 
@@ -225,7 +227,7 @@ void Foam::immersedBody::readState(const dictionary& dict)
     {
         state_.U = state_.omega = Zero;
         old_ = oldOld_ = state_;
-        trendU_ = trendOmega_ = Zero;
+        trendU_ = trendOmega_ = contactU_ = contactOmega_ = Zero;
     }
 
     ambientU_ = ambientOmega_ = dict.lookupOrDefault("ambient", false);
@@ -259,6 +261,12 @@ void Foam::immersedBody::writeState(Ostream& os) const
     if (wrapped_ != vector::zero)
     {
         os.writeEntry("wrapped", wrapped_);
+    }
+
+    if (contactSpeed() > 0)
+    {
+        os.writeEntry("contactVelocity", contactU_);
+        os.writeEntry("contactSpin", contactOmega_);
     }
 
     os.beginBlock("old");

@@ -71,6 +71,10 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 {
     oldOld_ = old_;
     old_ = state_;
+    oldContactU_ = contactU_;
+    oldContactOmega_ = contactOmega_;
+    contactU_ = contactOmega_ = Zero;
+    contactForce_ = rigidMomentum{Zero, Zero};
 
     if (isFree())
     {
@@ -82,9 +86,17 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 
 void Foam::immersedBody::endStep(const scalar ratio)
 {
-    trendU_ = trend(state_.U - old_.U, ratio*(old_.U - oldOld_.U));
-    trendOmega_ =
-        trend(state_.omega - old_.omega, ratio*(old_.omega - oldOld_.omega));
+    // Contact comes and goes
+    trendU_ = trend
+    (
+        state_.U - contactU_ - old_.U,
+        ratio*(old_.U - oldContactU_ - oldOld_.U)
+    );
+    trendOmega_ = trend
+    (
+        state_.omega - contactOmega_ - old_.omega,
+        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega)
+    );
 }
 
 
@@ -92,6 +104,8 @@ void Foam::immersedBody::undoStep()
 {
     state_ = old_;
     old_ = oldOld_;
+    contactU_ = oldContactU_;
+    contactOmega_ = oldContactOmega_;
 }
 
 
@@ -111,6 +125,8 @@ void Foam::immersedBody::predictPose
     const vector& meshU
 )
 {
+    clearContact();
+
     state_.position = old_.position;
     state_.orientation = old_.orientation;
     state_.move
@@ -206,6 +222,7 @@ Foam::scalar Foam::immersedBody::correctVelocity
             load_.force - (densityRatio_ - 1)*volume()*g,
             load_.torque
         }
+      - contactTerm(ddt)
     );
 
     scalarField change(6);

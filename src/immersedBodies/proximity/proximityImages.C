@@ -94,6 +94,7 @@ bool Foam::proximityMonitor::checkPair
         (
             bodyA.name() + " and " + bodyB.name(),
             gap(bodyA, bodyB, shift),
-            hPair
+            hPair,
+            min(bodyA.shape().width(), bodyB.shape().width())
         );
 }

@@ -2,6 +2,7 @@
 
 #include "proximityMonitor.H"
 #include "compat.H"
+#include "contactModel.H"
 #include "StringStream.H"
 #include "wallPolyPatch.H"
 
@@ -39,10 +40,13 @@ Foam::scalar sampledGap
 Foam::proximityMonitor::proximityMonitor
 (
     const fvMesh& mesh,
-    const periodicity& periods
+    const periodicity& periods,
+    const contactModel& contact
 )
 :
     wallCells_(mesh.nCells()),
+    contact_(contact.active()),
+    allowed_(contact.largestOverlap()),
     periodicity_(periods)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -82,10 +86,13 @@ bool Foam::proximityMonitor::note
 (
     const string& pair,
     const scalar gap,
-    const scalar h
+    const scalar h,
+    const scalar width
 )
 {
-    if (gap < h && reported_.insert(pair))
+    const bool overlap = gap < -0.5*allowed_*width;
+
+    if (!contact_ && gap < h && reported_.insert(pair))
     {
         WarningInFunction
             << "Gap of " << gap << " m between " << pair.c_str()
@@ -94,7 +101,7 @@ bool Foam::proximityMonitor::note
             << " contact model" << nl << endl;
     }
 
-    if (gap < 0)
+    if (overlap)
     {
         OStringStream os;
         os  << (overlaps_.empty() ? "" : ", ") << pair.c_str() << " by "
@@ -102,7 +109,7 @@ bool Foam::proximityMonitor::note
         overlaps_ += os.str();
     }
 
-    return gap < 0;
+    return overlap;
 }
 
 
@@ -188,7 +195,13 @@ bool Foam::proximityMonitor::check
     {
         box.add(bodies[i].state().position);
         overlap =
-            note(bodies[i].name() + " and a wall", wallGaps[i], h[i])
+            note
+            (
+                bodies[i].name() + " and a wall",
+                wallGaps[i],
+                h[i],
+                bodies[i].shape().width()
+            )
          || overlap;
     }
 

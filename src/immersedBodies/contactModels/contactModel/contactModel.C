@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactModel.H"
+#include "checkKeywords.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(contactModel, 0);
+    defineRunTimeSelectionTable(contactModel, dictionary);
+}
+
+
+Foam::autoPtr<Foam::contactModel> Foam::contactModel::New
+(
+    const dictionary& dict,
+    const scalar rho
+)
+{
+    const word type
+    (
+        keywords::choice
+        (
+            dict,
+            "type",
+            dictionaryConstructorTablePtr_->sortedToc(),
+            "none"
+        )
+    );
+
+    return dictionaryConstructorTablePtr_->cfind(type)()(dict, rho);
+}

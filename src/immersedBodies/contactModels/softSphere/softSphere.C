@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "softSphere.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
+#include "compat.H"
+
+namespace Foam
+{
+namespace contactModels
+{
+    defineTypeNameAndDebug(softSphere, 0);
+    addToRunTimeSelectionTable(contactModel, softSphere, dictionary);
+}
+}
+
+
+Foam::contactModels::softSphere::softSphere
+(
+    const dictionary& dict,
+    const scalar rho
+)
+:
+    law_(dict, rho),
+    subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
+    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
+{
+    wordList valid({"type", "subSteps", "largestOverlap"});
+    valid.append(springDashpot::keywords);
+
+    keywords::check(dict, valid);
+}
+
+
+void Foam::contactModels::softSphere::advance
+(
+    PtrList<immersedBody>& bodies,
+    wallFacets& walls,
+    const periodicity& periods,
+    const scalar dt,
+    const vector& meshU
+)
+{
+    history_.clear();
+
+    if (!search(bodies, walls, periods, dt))
+    {
+        return;
+    }
+
+    const label n = max
+    (
+        label(ceil(dt*subSteps_/shortestTime(bodies, dt))),
+        label(1)
+    );
+    const scalar h = dt/n;
+
+    for (label i = 0; i < n; ++i)
+    {
+        drift(bodies, 0.5*h, meshU);
+        findTouches(bodies, walls, h, dt);
+        kick(h);
+        drift(bodies, 0.5*h, meshU);
+    }
+
+    for (const mover& m : movers_)
+    {
+        bodies[m.body].setContact
+        (
+            m.state, m.dU, m.dOmega, (1/dt)*m.impulse
+        );
+    }
+
+    remember();
+}
+
+
+void Foam::contactModels::softSphere::endStep()
+{
+    vectorList packed(history_.pack());
+
+    // As the states of the bodies: the copies must not drift apart
+    if (Pstream::parRun())
+    {
+        compat::broadcast(packed);
+    }
+    old_.unpack(packed);
+}
+
+
+void Foam::contactModels::softSphere::readState(const dictionary& dict)
+{
+    old_.unpack(dict.lookupOrDefault<vectorList>("contacts", vectorList()));
+    history_ = old_;
+}
+
+
+void Foam::contactModels::softSphere::writeState(Ostream& os) const
+{
+    // As text, whatever the format
+    os.writeKeyword("contacts") << token::BEGIN_LIST;
+
+    for (const vector& v : old_.pack())
+    {
+        os  << token::SPACE << v;
+    }
+    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
+}
+
+
+void Foam::contactModels::softSphere::report(Ostream& os) const
+{
+    os  << "softSphere, ";
+    law_.report(os);
+}

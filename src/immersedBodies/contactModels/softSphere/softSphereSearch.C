@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "softSphere.H"
+
+bool Foam::contactModels::softSphere::search
+(
+    PtrList<immersedBody>& bodies,
+    wallFacets& walls,
+    const periodicity& periods,
+    const scalar dt
+)
+{
+    pointField centres(bodies.size());
+    scalarField ways(bodies.size()), radii(bodies.size());
+
+    movers_.clear();
+    candidates_.clear();
+
+    forAll(bodies, i)
+    {
+        const bodyState& old = bodies[i].oldState();
+        const scalar R = bodies[i].shape().boundingRadius();
+        const scalar spin = bodies[i].shape().round()
+          ? 0
+          : max(mag(old.omega), mag(bodies[i].state().omega));
+
+        centres[i] = old.position;
+        ways[i] = dt*(max(mag(old.U), mag(bodies[i].state().U)) + R*spin);
+    }
+
+    // One that is hit may go as far as the fastest
+    const scalar furthest = bodies.empty() ? 0 : 2*max(ways);
+    scalarField reach(bodies.size());
+
+    forAll(bodies, i)
+    {
+        radii[i] = bodies[i].shape().boundingRadius() + furthest;
+        reach[i] = bodies[i].isFree() ? radii[i] : 0;
+    }
+
+    const closePairs close(centres, radii, periods);
+    walls.update(centres, reach, periods);
+
+    labelList numbers(bodies.size(), -1);
+
+    for (const closePairs::pair& p : close.pairs())
+    {
+        if (bodies[p.a].isFree() || bodies[p.b].isFree())
+        {
+            const label a = moverOf(bodies, numbers, p.a, dt);
+            const label b = moverOf(bodies, numbers, p.b, dt);
+
+            addCandidate(bodies, a, b, p.shift);
+        }
+    }
+
+    forAll(bodies, i)
+    {
+        if (bodies[i].isFree() && walls.beside(i))
+        {
+            addCandidate
+            (
+                bodies, moverOf(bodies, numbers, i, dt), -1, vector::zero
+            );
+        }
+    }
+
+    return !candidates_.empty();
+}
+
+
+Foam::label Foam::contactModels::softSphere::moverOf
+(
+    PtrList<immersedBody>& bodies,
+    labelList& numbers,
+    const label bodyi,
+    const scalar dt
+)
+{
+    if (numbers[bodyi] < 0)
+    {
+        immersedBody& body = bodies[bodyi];
+        const bodyState& end = body.state();
+        const bodyState& start = body.oldState();
+        mover m;
+
+        m.body = bodyi;
+        m.state = start;
+        m.acceleration = (end.U - start.U)/dt;
+        m.spinRate = (end.omega - start.omega)/dt;
+        m.inverseMass = body.inverseMass();
+        m.inverseInertia = body.inverseInertia();
+        m.dU = m.dOmega = Zero;
+        m.impulse = rigidMomentum{Zero, Zero};
+
+        numbers[bodyi] = movers_.size();
+        movers_.append(m);
+    }
+
+    return numbers[bodyi];
+}
+
+
+void Foam::contactModels::softSphere::addCandidate
+(
+    const PtrList<immersedBody>& bodies,
+    const label a,
+    const label b,
+    const vector& shift
+)
+{
+    const labelPair numbers
+    (
+        bodies[movers_[a].body].number(),
+        b < 0 ? -1 : bodies[movers_[b].body].number()
+    );
+
+    candidates_.append(candidate{a, b, shift, old_.find(numbers)});
+
+    // Of which a candidate of images of the same two has the other part
+    DynamicList<contactHistory::record>& records = candidates_.last().records;
+
+    if (b >= 0 && records.size() > 1)
+    {
+        const vector apart
+        (
+            movers_[b].state.position + shift - movers_[a].state.position
+        );
+        const contactHistory::record* mine =
+            contactHistory::nearest(records, normalised(apart));
+        const contactHistory::record kept
+        (
+            mine ? *mine : contactHistory::record()
+        );
+
+        records = DynamicList<contactHistory::record>(1, kept);
+    }
+}
+
+
+Foam::scalar Foam::contactModels::softSphere::shortestTime
+(
+    const PtrList<immersedBody>& bodies,
+    const scalar dt
+) const
+{
+    auto speed = [&](const mover& m)
+    {
+        const vector& U = m.state.U;
+
+        return max(mag(U), mag(U + dt*m.acceleration));
+    };
+
+    scalar shortest = GREAT;
+
+    for (const candidate& c : candidates_)
+    {
+        const mover& a = movers_[c.a];
+        scalar R = 0.5*bodies[a.body].shape().width();
+        scalar inverseMass = cmptMax(a.inverseMass);
+        scalar approach = speed(a);
+
+        if (c.b >= 0)
+        {
+            const mover& b = movers_[c.b];
+
+            R = min(R, 0.5*bodies[b.body].shape().width());
+            inverseMass += cmptMax(b.inverseMass);
+            approach += speed(b);
+        }
+
+        shortest = min
+        (
+            shortest,
+            law_.collisionTime(1/inverseMass, dt, approach, R)
+        );
+
+        for (const contactHistory::record& r : c.records)
+        {
+            shortest = r.live() ? min(shortest, r.time) : shortest;
+        }
+    }
+
+    return shortest;
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "springDashpot.H"
+#include "checkKeywords.H"
+#include "mathematicalConstants.H"
+
+const Foam::wordList Foam::springDashpot::keywords
+({
+    "restitution", "friction", "collisionTime", "stiffness", "timeSteps",
+    "tangentialRatio"
+});
+
+
+namespace
+{
+
+//- Rotate the elongation of the spring with the plane of contact
+Foam::vector inPlane(const Foam::vector& spring, const Foam::vector& n)
+{
+    const Foam::vector flat(spring - (spring & n)*n);
+    const Foam::scalar length = Foam::mag(flat);
+
+    return length > Foam::VSMALL
+      ? Foam::vector(flat*(Foam::mag(spring)/length))
+      : Foam::vector::zero;
+}
+
+} // End anonymous namespace
+
+
+Foam::springDashpot::springDashpot(const dictionary& dict, const scalar rho)
+:
+    e_(keywords::positiveOr(dict, "restitution", 0.88)),
+    mu_(dict.lookupOrDefault<scalar>("friction", 0.25)),
+    time_(keywords::positiveOr(dict, "collisionTime", 1)),
+    stiffness_(keywords::positiveOr(dict, "stiffness", 1)),
+    timeSteps_(keywords::positiveOr(dict, "timeSteps", 4)),
+    tangentialRatio_(keywords::positiveOr(dict, "tangentialRatio", 1))
+{
+    if (e_ > 1 || mu_ < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "In '" << dict.dictName() << "' 'restitution " << e_
+            << "' must be at most 1 and 'friction " << mu_
+            << "' at least 0" << nl << exit(FatalIOError);
+    }
+
+    label nGiven = 0;
+    for (const char* key : {"collisionTime", "stiffness", "timeSteps"})
+    {
+        nGiven += dict.found(key);
+    }
+
+    if (nGiven > 1 || (dict.found("stiffness") && rho <= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << dict.dictName() << "' may have one of 'collisionTime',"
+            << " 'stiffness' and 'timeSteps'; 'stiffness' needs 'rho', the"
+            << " density of the fluid [kg/m3]" << nl << exit(FatalIOError);
+    }
+
+    time_ = dict.found("collisionTime") ? time_ : -1;
+    stiffness_ = dict.found("stiffness") ? stiffness_/rho : -1;
+    tangentialRatio_ = dict.found("tangentialRatio") ? tangentialRatio_ : -1;
+}
+
+
+Foam::scalar Foam::springDashpot::square() const
+{
+    return sqr(constant::mathematical::pi) + sqr(log(e_));
+}
+
+
+Foam::scalar Foam::springDashpot::collisionTime
+(
+    const scalar mass,
+    const scalar dt,
+    const scalar speed,
+    const scalar radius
+) const
+{
+    if (time_ > 0)
+    {
+        return time_;
+    }
+
+    if (stiffness_ > 0)
+    {
+        return Foam::sqrt(mass*square()/stiffness_);
+    }
+
+    // Of an elastic collision: overlap = speed T/pi
+    return min
+    (
+        timeSteps_*dt,
+        0.05*radius*constant::mathematical::pi/max(speed, VSMALL)
+    );
+}
+
+
+Foam::vector Foam::springDashpot::force
+(
+    const contact& c,
+    const vector& U,
+    vector& spring
+) const
+{
+    const scalar k = c.mass*square()/sqr(c.time);
+    const scalar gamma = -2*c.mass*log(e_)/c.time;
+    const scalar closing = U & c.normal;
+    const scalar normalForce = k*c.overlap + gamma*closing*c.fraction;
+
+    const scalar kt =
+        tangentialRatio_ > 0
+      ? tangentialRatio_*k
+      : k*c.tangentialMass/c.mass;
+    const scalar gammat =
+        -2*log(e_)/Foam::sqrt(square())*Foam::sqrt(kt*c.tangentialMass);
+
+    const vector Ut(U - closing*c.normal);
+    const vector travel(c.dt*c.fraction*Ut);
+    const vector begin(inPlane(spring, c.normal));
+    const vector trial
+    (
+       -c.fraction*(kt*(begin + 0.5*travel) + gammat*Ut)
+    );
+    const scalar limit = mu_*max(normalForce, scalar(0));
+
+    if (mag(trial) <= limit)
+    {
+        spring = begin + travel;
+        return trial - normalForce*c.normal;
+    }
+
+    // It slides: the spring holds what the dashpot leaves of the limit
+    const vector friction((limit/mag(trial))*trial);
+    spring = -(friction/c.fraction + gammat*Ut)/kt;
+
+    return friction - normalForce*c.normal;
+}
+
+
+void Foam::springDashpot::report(Ostream& os) const
+{
+    os  << "restitution " << e_ << ", friction " << mu_ << ", collision time ";
+
+    if (time_ > 0)
+    {
+        os  << time_ << " s";
+    }
+    else if (stiffness_ > 0)
+    {
+        os  << "by stiffness";
+    }
+    else
+    {
+        os  << "at most " << timeSteps_ << " time steps";
+    }
+}
