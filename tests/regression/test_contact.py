@@ -12,11 +12,14 @@ from boxMesh import uniform
 from foamCase import FoamError
 
 RATIO = 1e4
-CONTACT = "contact {{ type softSphere; restitution {e}; friction {mu}; {more} }}"
 
 
 def contact(e=0.88, mu=0.25, more=""):
-    return CONTACT.format(e=e, mu=mu, more=more)
+    """Entry of the model."""
+    return (
+        f"contact {{ type softSphere; restitution {e}; friction {mu};"
+        f" {more} }}"
+    )
 
 
 def box2d(folder, n, name=None):

@@ -180,25 +180,6 @@ Foam::scalar Foam::immersedBodies::maxSpeed() const
 }
 
 
-bool Foam::immersedBodies::contact() const
-{
-    return contact_->active();
-}
-
-
-Foam::scalar Foam::immersedBodies::contactSpeed() const
-{
-    scalar speed = 0;
-
-    for (const immersedBody& body : bodies_)
-    {
-        speed = max(speed, body.contactSpeed());
-    }
-
-    return speed;
-}
-
-
 Foam::scalar Foam::immersedBodies::slip() const
 {
     scalar sum = 0, volume = 0;

@@ -51,15 +51,7 @@ void Foam::immersedBodies::predictPoses()
         body.predictPose(dt, window_.meanVelocity());
     }
 
-    if (contact_->active())
-    {
-        addProfiling(contact, "immersedBodies::contact");
-
-        contact_->advance
-        (
-            bodies_, walls_(), periodicity_, dt, window_.meanVelocity()
-        );
-    }
+    addContact();
 }
 
 

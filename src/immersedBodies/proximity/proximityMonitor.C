@@ -168,6 +168,26 @@ Foam::scalar Foam::proximityMonitor::wallGap
 }
 
 
+bool Foam::proximityMonitor::checkPair
+(
+    const PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
+    const closePairs::pair& pair
+)
+{
+    const immersedBody& a = bodies[pair.a];
+    const immersedBody& b = bodies[pair.b];
+
+    return note
+    (
+        a.name() + " and " + b.name(),
+        gap(a, b, pair.shift),
+        max(h[pair.a], h[pair.b]),
+        min(a.shape().width(), b.shape().width())
+    );
+}
+
+
 bool Foam::proximityMonitor::check
 (
     const PtrList<immersedBody>& bodies,
@@ -177,7 +197,6 @@ bool Foam::proximityMonitor::check
 )
 {
     scalarField wallGaps(bodies.size(), GREAT);
-    boundBox box;
 
     for (const bodyRegion& r : region.regions())
     {
@@ -191,9 +210,13 @@ bool Foam::proximityMonitor::check
     bool overlap = false;
     overlaps_.clear();
 
+    pointField centres(bodies.size());
+    scalarField radii(bodies.size());
+
     forAll(bodies, i)
     {
-        box.add(bodies[i].state().position);
+        centres[i] = bodies[i].state().position;
+        radii[i] = bodies[i].shape().boundingRadius() + h[i];
         overlap =
             note
             (
@@ -205,22 +228,11 @@ bool Foam::proximityMonitor::check
          || overlap;
     }
 
-    // Sweep along the longest side, by the lower ends of the bounding spheres
-    const vector span(box.span());
-    const direction along =
-        span.x() >= max(span.y(), span.z()) ? 0 : span.y() >= span.z() ? 1 : 2;
-    const DynamicList<image> images(sortedImages(bodies, h, along));
+    const closePairs close(centres, radii, periodicity_);
 
-    forAll(images, k)
+    for (const closePairs::pair& pair : close.pairs())
     {
-        const label i = images[k].body;
-        const scalar upper = images[k].lower
-          + 2*bodies[i].shape().boundingRadius() + h[i];
-
-        for (label l = k + 1; l < images.size() && images[l].lower < upper; ++l)
-        {
-            overlap = checkPair(bodies, h, images[k], images[l]) || overlap;
-        }
+        overlap = checkPair(bodies, h, pair) || overlap;
     }
 
     return overlap;

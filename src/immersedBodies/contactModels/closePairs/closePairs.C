@@ -27,8 +27,11 @@ void Foam::closePairs::add(const image& first, const image& second)
     {
         const vector shift(a.shift + b.shift);
 
+        const bool itself =
+            a.shift == vector::zero || b.shift == vector::zero;
+
         // One of the two on opposite sides
-        if ((a.shift == vector::zero || b.shift == vector::zero) && leads(shift))
+        if (itself && leads(shift))
         {
             pairs_.append(pair{a.body, b.body, shift});
         }

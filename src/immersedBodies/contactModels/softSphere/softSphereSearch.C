@@ -156,7 +156,6 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
     for (const candidate& c : candidates_)
     {
         const mover& a = movers_[c.a];
-        scalar R = 0.5*bodies[a.body].shape().width();
         scalar inverseMass = cmptMax(a.inverseMass);
         scalar approach = speed(a);
 
@@ -164,7 +163,6 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
         {
             const mover& b = movers_[c.b];
 
-            R = min(R, 0.5*bodies[b.body].shape().width());
             inverseMass += cmptMax(b.inverseMass);
             approach += speed(b);
         }
@@ -172,7 +170,10 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
         shortest = min
         (
             shortest,
-            law_.collisionTime(1/inverseMass, dt, approach, R)
+            law_.collisionTime
+            (
+                1/inverseMass, dt, approach, radius(bodies, c)
+            )
         );
 
         for (const contactHistory::record& r : c.records)

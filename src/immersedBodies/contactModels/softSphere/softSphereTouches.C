@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "softSphere.H"
+
+namespace
+{
+
+//- Mean of the overlap over a sub-step h [s] in which the gap changes at the
+//  rate -closing [m/s] from half before to half after the given one, and the
+//  part of the sub-step in which they overlap
+void meanOverlap
+(
+    const Foam::scalar gap,
+    const Foam::scalar closing,
+    const Foam::scalar h,
+    Foam::scalar& overlap,
+    Foam::scalar& fraction
+)
+{
+    const Foam::scalar half = 0.5*h*Foam::mag(closing);
+    const Foam::scalar least = -gap - half, most = -gap + half;
+
+    if (most <= 0)
+    {
+        overlap = fraction = 0;
+    }
+    else if (least >= 0)
+    {
+        overlap = -gap;
+        fraction = 1;
+    }
+    else
+    {
+        fraction = most/(most - least);
+        overlap = 0.5*most*fraction;
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::Pair<Foam::scalar> Foam::contactModels::softSphere::inverseMasses
+(
+    const candidate& c,
+    const point& x,
+    const vector& n
+) const
+{
+    Pair<scalar> sums(0, 0);
+
+    auto add = [&](const mover& m, const vector& r)
+    {
+        const scalar along = m.inverseMass & vector(cmptMultiply(n, n));
+
+        // Of round bodies the same for all directions in the plane
+        const tensor& I = m.inverseInertia;
+        const label nAxes = (I.xx() > 0) + (I.yy() > 0) + (I.zz() > 0);
+
+        sums.first() += along;
+        sums.second() += along + magSqr(r)*tr(I)/max(nAxes, label(1));
+    };
+
+    add(movers_[c.a], x - movers_[c.a].state.position);
+    if (c.b >= 0)
+    {
+        add(movers_[c.b], x - c.shift - movers_[c.b].state.position);
+    }
+
+    return sums;
+}
+
+
+Foam::scalar Foam::contactModels::softSphere::radius
+(
+    const PtrList<immersedBody>& bodies,
+    const candidate& c
+) const
+{
+    const scalar R = 0.5*bodies[movers_[c.a].body].shape().width();
+
+    return c.b < 0
+      ? R
+      : min(R, 0.5*bodies[movers_[c.b].body].shape().width());
+}
+
+
+Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
+(
+    const PtrList<immersedBody>& bodies,
+    candidate& c,
+    const vector& normal
+) const
+{
+    contactHistory::record* known =
+        contactHistory::nearest(c.records, normal);
+
+    if (known)
+    {
+        return *known;
+    }
+
+    // In the place of one that has ended, if there is one
+    label place = 0;
+    while (place < c.records.size() && c.records[place].live())
+    {
+        ++place;
+    }
+    if (place == c.records.size())
+    {
+        c.records.append(contactHistory::record());
+    }
+
+    contactHistory::record& r = c.records[place];
+
+    r.bodies.first() = bodies[movers_[c.a].body].number();
+    if (c.b >= 0)
+    {
+        r.bodies.second() = bodies[movers_[c.b].body].number();
+    }
+
+    return r;
+}
+
+
+void Foam::contactModels::softSphere::addTouch
+(
+    const PtrList<immersedBody>& bodies,
+    const label candidatei,
+    const contactPoint& point,
+    const scalar h,
+    const scalar dt
+)
+{
+    candidate& c = candidates_[candidatei];
+    const scalar closing = relativeVelocity(c, point.position) & point.normal;
+    touch t;
+
+    meanOverlap
+    (
+        point.gap, closing, h, t.contact.overlap, t.contact.fraction
+    );
+    const Pair<scalar> inverse(inverseMasses(c, point.position, point.normal));
+
+    if (t.contact.fraction <= 0 || inverse.first() <= 0)
+    {
+        return;
+    }
+
+    contactHistory::record& r = recordOf(bodies, c, point.normal);
+
+    t.candidate = candidatei;
+    t.record = &r - c.records.cdata();
+    t.position = point.position;
+    t.contact.normal = point.normal;
+    t.contact.dt = h;
+    t.contact.mass = 1/inverse.first();
+    t.contact.tangentialMass = 1/inverse.second();
+
+    if (!r.live())
+    {
+        // One that is faster than the search knew has fewer sub-steps
+        r.spring = Zero;
+        r.time = max
+        (
+            law_.collisionTime
+            (
+                t.contact.mass, dt, mag(closing), radius(bodies, c)
+            ),
+            0.5*subSteps_*h
+        );
+    }
+
+    r.normal = point.normal;
+    t.contact.time = r.time;
+    touches_.append(t);
+}
+
+
+void Foam::contactModels::softSphere::findTouches
+(
+    const PtrList<immersedBody>& bodies,
+    const wallFacets& walls,
+    const scalar h,
+    const scalar dt
+)
+{
+    touches_.clear();
+
+    forAll(candidates_, i)
+    {
+        candidate& c = candidates_[i];
+        const immersedBody& a = bodies[movers_[c.a].body];
+        const label first = touches_.size();
+
+        if (c.b < 0)
+        {
+            const DynamicList<contactPoint> points
+            (
+                walls.contacts(movers_[c.a].body, a)
+            );
+
+            for (const contactPoint& point : points)
+            {
+                addTouch(bodies, i, point, h, dt);
+            }
+        }
+        else
+        {
+            const immersedBody& b = bodies[movers_[c.b].body];
+
+            addTouch(bodies, i, contactPoint(a, b, c.shift), h, dt);
+        }
+
+        endContacts(c, first);
+    }
+}
+
+
+void Foam::contactModels::softSphere::endContacts
+(
+    candidate& c,
+    const label first
+) const
+{
+    forAll(c.records, k)
+    {
+        bool touched = false;
+        for (label l = first; l < touches_.size(); ++l)
+        {
+            touched = touched || touches_[l].record == k;
+        }
+
+        if (!touched)
+        {
+            c.records[k] = contactHistory::record();
+        }
+    }
+}
