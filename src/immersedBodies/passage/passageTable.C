@@ -14,7 +14,11 @@ Foam::passageTable::passageTable(const objectRegistry& mesh)
 
 void Foam::passageTable::writeHeader()
 {
-    const fileName folder(baseTimeDir());
+    const Time& time = fileObr_.time();
+    const fileName folder
+    (
+        baseFileDir()/prefix_/time.timeName(time.startTime().value())
+    );
 
     mkDir(folder);
     filePtr_.reset(new OFstream(folder/(fileName_ + ".dat")));

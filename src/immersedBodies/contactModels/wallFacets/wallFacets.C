@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallFacets.H"
+#include "compat.H"
 #include "wallPolyPatch.H"
 
 Foam::wallFacets::facet::facet(const UList<point>& x)
@@ -180,8 +181,7 @@ void Foam::wallFacets::update
 
     List<List<vector>> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = packed;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    compat::allGather(all);
 
     for (const List<vector>& one : all)
     {
