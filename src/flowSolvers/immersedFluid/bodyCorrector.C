@@ -39,6 +39,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (outer_ == 1)
     {
         firstChange_ = change_;
+
         // In a window the Courant number is that relative to it
         speedScale_ = max
         (

@@ -52,7 +52,12 @@ void Foam::flowSolvers::immersedFluid::check()
 
     // Matrices once, as in a time step of no length
     bodies_->beginStep();
-    bodies_->updateResistance(ddtCoefficients(mesh_, U_.name()), assembleMomentum()->A()(), viscosity());
+    bodies_->updateResistance
+    (
+        ddtCoefficients(mesh_, U_.name()),
+        assembleMomentum()->A()(),
+        viscosity()
+    );
     mesh_.solver(U_.select(true));
     mesh_.solver(p_.select(true));
     Info<< endl;

@@ -165,7 +165,9 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 {
     // The fluid inside is in the load already, hence r - 1. The projection adds
     // to the response of the momentum equation (added mass), without which the
-    // step of a light body would be too long: half of that of a disc.
+    // step of a light body would be too long: half of that of a disc. It adds
+    // nothing to that of a turning disc or sphere; a tenth is for the response,
+    // which is the inertia inside to some per cent only.
     const scalar lightness = max(1 - densityRatio_, 0);
     const tensor I(inertia(state_));
     scalarSquareMatrix J(load.block());

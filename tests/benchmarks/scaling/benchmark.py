@@ -70,7 +70,8 @@ def plot(runs, crowds):
         name = f"{run.solver['solver']}, {run.settings}"
         lines.setdefault(name, []).append((run.cells, run.step))
     for name, points in lines.items():
-        left.loglog(*zip(*points), "o-", label=name.replace("1 bodies", "1 body"))
+        label = name.replace("1 bodies", "1 body")
+        left.loglog(*zip(*points), "o-", label=label)
     left.set_xlabel("cells")
     left.set_ylabel("time per step [ms]")
 
