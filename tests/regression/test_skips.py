@@ -6,6 +6,7 @@ says what is left out. Other skips have tests of their own: no bodies
 
 import re
 
+import numpy as np
 import pytest
 
 from bodyCase import BodyCase
@@ -88,3 +89,57 @@ def test_outer_iterations(tube, tmp_path):
     )
     for column in ("velocity_x", "angularVelocity_z"):
         same(few, many, "motion", (column,), 1e-3)
+
+
+def test_bands(tube, tmp_path):
+    """Later outer iterations leave the fluid away from bodies alone, unless
+    viscosity takes what happens at the bodies there in one step. Of 30
+    iterations the last ones solve for all cells."""
+    free = "densityRatio 2; velocity ambient;"
+    bands = "in the bands of bodies"
+    tube.replace("constant/transportProperties", "0.5;", "5;")
+    viscous, _ = solve(tube, tmp_path, "viscous", free)
+    assert bands not in (viscous.path / "log.foamRun").read_text()
+
+    tube.replace("constant/transportProperties", "5;", "0.02;")
+    few, _ = solve(tube, tmp_path, "few", free)
+    assert bands in (few.path / "log.foamRun").read_text()
+    many, _ = solve(
+        tube, tmp_path, "many", free,
+        "coupling { nOuterCorrectors 30; tolerance 1e-9; }",
+    )
+    for column in ("velocity_x", "velocity_y", "angularVelocity_z"):
+        v, w = (c.table("motion")[column][-1] for c in (few, many))
+        assert v == pytest.approx(w, abs=1e-3), column
+
+
+def residuals(case):
+    """Of the components of velocity: initial, final, iterations."""
+    return np.array(re.findall(
+        r"Solving for U[xy], Initial residual = (\S+), "
+        r"Final residual = (\S+), No Iterations (\d+)",
+        (case.path / "log.foamRun").read_text(),
+    ), float)
+
+
+def test_components_one_after_the_other(tube, tmp_path):
+    """Symmetric Gauss-Seidel for all components at once makes the iterations
+    of OpenFOAM's; a smoother that is a dictionary is left to that."""
+    tube.controls(
+        writeFormat="ascii", writePrecision="12", writeInterval="0.2"
+    )
+    tube.replace("system/fvSolution", "PBiCGStab", "smoothSolver")
+    tube.replace(
+        "system/fvSolution", "preconditioner  DILU",
+        "minIter 5; maxIter 5; smoother symGaussSeidel",
+    )
+    at_once, _ = solve(tube, tmp_path, "once", HELD)
+    tube.replace(
+        "system/fvSolution", "smoother symGaussSeidel;",
+        "smoother { smoother symGaussSeidel; }",
+    )
+    by_one, _ = solve(tube, tmp_path, "one", HELD)
+    ours, theirs = residuals(at_once), residuals(by_one)
+    assert len(ours) == 20
+    assert ours == pytest.approx(theirs, rel=1e-4)
+    assert at_once.field("U") == pytest.approx(by_one.field("U"), abs=1e-12)

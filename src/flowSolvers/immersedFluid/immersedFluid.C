@@ -59,6 +59,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     ),
     flowRate_(findFlowRate()),
     outer_(0),
+    bandOnly_(false),
     converged_(false),
     firstChange_(0),
     change_(0),

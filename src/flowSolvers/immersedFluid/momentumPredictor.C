@@ -5,6 +5,26 @@
 #include "fvmDdt.H"
 #include "fvmLaplacian.H"
 #include "profiling.H"
+#include "vectorSmoothSolver.H"
+
+namespace
+{
+    //- Values on the patches that are not coupled
+    Foam::scalarField patchValues(const Foam::volScalarField& field)
+    {
+        Foam::DynamicList<Foam::scalar> values;
+
+        for (const Foam::fvPatchScalarField& patch : field.boundaryField())
+        {
+            if (!patch.coupled())
+            {
+                values.append(patch);
+            }
+        }
+
+        return Foam::scalarField(std::move(values));
+    }
+}
 
 
 const Foam::volScalarField& Foam::flowSolvers::immersedFluid::viscosity()
@@ -25,7 +45,20 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
     // its discrete form does where the velocity bends, at the bodies
     if (immersed() && uniformViscosity_)
     {
-        return -fvm::laplacian(viscosity(), U_);
+        const volScalarField& nu = viscosity();
+        const dimensionedScalar minusNu
+        (
+            "minusNu",
+            nu.dimensions(),
+            -gMax(nu.primitiveField())
+        );
+
+        return fvm::laplacian
+        (
+            minusNu,
+            U_,
+            "laplacian(" + nu.name() + ',' + U_.name() + ')'
+        );
     }
 
     return incompressibleFluid::divDevSigma();
@@ -105,6 +138,14 @@ void Foam::flowSolvers::immersedFluid::extrapolateFlux()
 }
 
 
+Foam::scalar Foam::flowSolvers::immersedFluid::viscousReach() const
+{
+    const scalar nu = gMax(momentumTransport->nu()().primitiveField());
+
+    return nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
+}
+
+
 Foam::tmp<Foam::vectorField>
 Foam::flowSolvers::immersedFluid::drive() const
 {
@@ -127,12 +168,8 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
      && runTime_.timeIndex() > 1
     )
     {
-        // How far viscosity reaches within the step, in cells, squared: the
-        // extrapolation is stable where that is not little
-        const scalar nu = gMax(momentumTransport->nu()().primitiveField());
-        const scalar reach =
-            nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
-        const scalar part = max(1 - 1/max(reach, SMALL), 0)
+        // The extrapolation is stable where viscosity does not reach little
+        const scalar part = max(1 - 1/max(viscousReach(), SMALL), 0)
            *runTime_.deltaTValue()/runTime_.deltaT0Value();
         const volScalarField& p0 = p_.oldTime();
 
@@ -140,21 +177,35 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
         {
             p_.primitiveFieldRef() +=
                 part*(p0.primitiveField() - p0.oldTime().primitiveField());
+            gradP_.clear();
         }
     }
 
+    // Those on patches may depend on time
+    const scalarField before(patchValues(p_));
     p_.correctBoundaryConditions();
-    gradP_ = fvc::grad(p_);
+    const bool changed = patchValues(p_) != before;
+
+    if (!gradP_.valid() || returnReduce(changed, orOp<bool>()))
+    {
+        gradP_ = fvc::grad(p_);
+    }
 }
 
 
 void Foam::flowSolvers::immersedFluid::solveMomentum(fvVectorMatrix& eqn)
 {
     const dictionary& solver = mesh_.solver(U_.select(true));
+    const auto solve = [&](const dictionary& controls)
+    {
+        return vectorSmoothSolver::serves(controls)
+          ? vectorSmoothSolver(eqn, U_).solve(controls)
+          : eqn.solve(controls);
+    };
 
     if (outer_ == 1)
     {
-        const vector residual(cmptMag(eqn.solve(solver).initialResidual()));
+        const vector residual(solve(solver).initialResidual());
 
         // Components that are not solved for, or are zero, say nothing
         scalar least = GREAT;
@@ -167,7 +218,7 @@ void Foam::flowSolvers::immersedFluid::solveMomentum(fvVectorMatrix& eqn)
     }
     else
     {
-        eqn.solve(momentumTarget_.controls(solver));
+        solve(momentumTarget_.controls(solver));
     }
 }
 
@@ -182,13 +233,24 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     addProfiling(momentum, "momentumPredictor");
 
+    bandOnly_ = bandsSuffice() && predictBands();
+    if (bandOnly_)
+    {
+        return;
+    }
+
     if (outer_ == 1)
     {
         extrapolateFlux();
         extrapolatePressure();
     }
 
+    clearMomentum();
     tUEqn = assembleMomentum();
+    if (bodies_->moving() && !stokes_)
+    {
+        convecting_ = new surfaceScalarField("convecting", phi_);
+    }
     A0_ = tUEqn().A();
     bodies_->updateResistance
     (

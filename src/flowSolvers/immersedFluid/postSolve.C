@@ -9,6 +9,8 @@ void Foam::flowSolvers::immersedFluid::postSolve()
         return;
     }
 
+    clearMomentum();
+
     const bool good = bodies_->endStep();
 
     if (good)

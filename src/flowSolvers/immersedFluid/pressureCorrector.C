@@ -5,11 +5,10 @@
 #include "constrainPressure.H"
 #include "findRefCell.H"
 #include "fvcDiv.H"
-#include "fvcFlux.H"
 #include "fvcGrad.H"
-#include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "profiling.H"
+#include "smoothedFlux.H"
 
 
 Foam::tmp<Foam::surfaceScalarField>
@@ -20,15 +19,20 @@ Foam::flowSolvers::immersedFluid::predictImmersedFlux()
     const scalar smoothing = 0.1;
     const volScalarField tau(smoothing/A0_());
 
-    tmp<surfaceScalarField> tphi
-    (
-        new surfaceScalarField
-        (
-            "phiHbyA",
-            fvc::flux(U_ + tau*gradP_())
-          - fvc::interpolate(tau)*fvc::snGrad(p_)*mesh_.magSf()
-        )
-    );
+    const smoothedFlux flux(U_, p_, gradP_(), tau);
+
+    tmp<surfaceScalarField> tphi(new surfaceScalarField("phiHbyA", phi_));
+
+    if (bandOnly_)
+    {
+        DynamicList<label> faces;
+        bodies_->region().bandFaces(faces);
+        flux.set(faces, tphi.ref());
+    }
+    else
+    {
+        flux.set(tphi.ref());
+    }
 
     MRF.makeRelative(tphi.ref());
     bodies_->region().shieldFlux(tphi.ref());
@@ -131,8 +135,4 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     U_.primitiveFieldRef() -= dU;
     U_.correctBoundaryConditions();
     fvOptions.correct(U_);
-
-    tUEqn.clear();
-    A0_.clear();
-    nuEff_.clear();
 }

@@ -35,6 +35,9 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
         stop("a time step does not converge, however short it is made");
     }
 
+    // That of the pressure before this step is not there any more
+    gradP_.clear();
+
     outer_ = 1;
     converged_ = false;
     change_ = 0;

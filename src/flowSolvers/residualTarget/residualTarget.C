@@ -20,6 +20,18 @@ void Foam::residualTarget::set
 }
 
 
+Foam::scalar Foam::residualTarget::tolerance(const dictionary& solver)
+{
+    return applies(solver) ? solver.get<scalar>("tolerance") : 1e-9;
+}
+
+
+Foam::scalar Foam::residualTarget::relTol(const dictionary& solver)
+{
+    return applies(solver) ? solver.get<scalar>("relTol") : 1e-3;
+}
+
+
 Foam::dictionary Foam::residualTarget::controls
 (
     const dictionary& solver

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "profiling.H"
+
+namespace
+{
+    // Up to where errors are as if all cells had been redone
+
+    //- Last outer iteration; those that take more may need the implicit
+    //  convection
+    const Foam::label lastBandOuter = 5;
+
+    //- Viscous reach, in cells, squared
+    const Foam::scalar maxBandReach = 4;
+
+    //- Change of the bodies' velocities in the iteration before, relative
+    const Foam::scalar maxBandChange = 0.1;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
+{
+    // The first time step of a run has no flux that is extrapolated. In a
+    // window all fluxes change with its velocity.
+    return outer_ > 1
+     && outer_ <= lastBandOuter
+     && change_ < maxBandChange
+     && uniformViscosity_
+     && !bodies_->window().comoving()
+     && !MRF.MRFZoneList::size()
+     && runTime_.timeIndex() > 1
+     && viscousReach() < maxBandReach;
+}
+
+
+void Foam::flowSolvers::immersedFluid::clearMomentum()
+{
+    tUEqn.clear();
+    A0_.clear();
+    nuEff_.clear();
+    convecting_.clear();
+    source0_.clear();
+}
+
+
+bool Foam::flowSolvers::immersedFluid::predictBands()
+{
+    addProfiling(bands, "bandPredictor");
+
+    fvVectorMatrix& E0 = tUEqn.ref();
+    const immersedRegion& region = bodies_->region();
+
+    if (source0_.empty())
+    {
+        source0_ = E0.source();
+    }
+    E0.source() = source0_;
+
+    if (!stokes_)
+    {
+        region.addConvection(phi_, convecting_(), U_, E0.source());
+    }
+
+    bodies_->updateResistance
+    (
+        ddtCoefficients(mesh_, U_.name()),
+        A0_(),
+        viscosity()
+    );
+
+    const dictionary& solver = mesh_.solver(U_.select(true));
+    const label nSweeps = region.relax
+    (
+        E0,
+        A0_(),
+        drive()(),
+        residualTarget::tolerance(solver)*speedScale_,
+        residualTarget::relTol(solver),
+        U_
+    );
+
+    if (!nSweeps)
+    {
+        return false;
+    }
+
+    Info<< "Gauss-Seidel:  Solving for U in the bands of bodies, "
+        << "No Iterations " << nSweeps << endl;
+
+    fvOptions.correct(U_);
+
+    return true;
+}
+

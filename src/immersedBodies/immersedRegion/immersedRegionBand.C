@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedRegion.H"
+#include "syncTools.H"
+
+namespace
+{
+    //- Sweeps after which the rows are left as they are
+    const Foam::label maxSweeps = 100;
+}
+
+
+void Foam::immersedRegion::addConvection
+(
+    const surfaceScalarField& phi,
+    const surfaceScalarField& phi0,
+    const volVectorField& U,
+    vectorField& source
+) const
+{
+    const surfaceScalarField& weights = mesh_.weights();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const List<vectorField> neighbourU(coupledNeighbours(U));
+
+    for (const label celli : cells_)
+    {
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if (mesh_.isInternalFace(facei))
+            {
+                const bool out = own[facei] == celli;
+                const scalar part = out ? 1 - weights[facei] : weights[facei];
+                const label other = out ? nei[facei] : own[facei];
+                const scalar change = phi[facei] - phi0[facei];
+
+                source[celli] -=
+                    (out ? change : -change)*part*(U[other] - U[celli]);
+                continue;
+            }
+
+            const label patchi = patches.whichPatch(facei);
+            const label i = facei - patches[patchi].start();
+
+            if (i >= phi.boundaryField()[patchi].size())
+            {
+                continue;
+            }
+
+            const scalar change =
+                phi.boundaryField()[patchi][i]
+              - phi0.boundaryField()[patchi][i];
+
+            source[celli] -= neighbourU[patchi].size()
+              ? change*(1 - weights.boundaryField()[patchi][i])
+               *(neighbourU[patchi][i] - U[celli])
+              : change*(U.boundaryField()[patchi][i] - U[celli]);
+        }
+    }
+}
+
+
+Foam::label Foam::immersedRegion::relax
+(
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const vectorField& gradP,
+    const scalar tolerance,
+    const scalar relTol,
+    volVectorField& U
+) const
+{
+    vectorField& Ui = U.primitiveFieldRef();
+    const label n = cells_.size();
+    const vectorField before(Ui, cells_);
+    scalar first = 0;
+
+    for (label sweep = 1; sweep <= maxSweeps; ++sweep)
+    {
+        const List<vectorField> neighbourU(coupledNeighbours(U));
+        scalar change = 0;
+
+        // Forth and back
+        for (label j = 0; j < n; ++j)
+        {
+            const label celli = cells_[sweep % 2 ? j : n - 1 - j];
+            const vector H
+            (
+                rowH(E0, Ui, neighbourU, celli)
+              + KU_[celli] + shieldDU_[celli]
+              - (1 - shield_[celli])*gradP[celli]
+            );
+            const vector Unew(H/(A0[celli] + K_[celli]));
+
+            change = max(change, mag(Unew - Ui[celli]));
+            Ui[celli] = Unew;
+        }
+
+        U.correctBoundaryConditions();
+
+        reduce(change, maxOp<scalar>());
+        first = sweep == 1 ? change : first;
+
+        if (change <= max(tolerance, relTol*first))
+        {
+            return sweep;
+        }
+
+        // Rows that are not dominated by their diagonals
+        if (change > 10*first)
+        {
+            UIndirectList<vector>(Ui, cells_) = before;
+            U.correctBoundaryConditions();
+            return 0;
+        }
+    }
+
+    return maxSweeps;
+}
+
+
+void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
+{
+    faces.clear();
+    UIndirectList<scalar>(weight_, cells_) = 1;
+
+    for (const label celli : cells_)
+    {
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const label own = mesh_.faceOwner()[facei];
+
+            // Once
+            if (own == celli || weight_[own] == 0)
+            {
+                faces.append(facei);
+            }
+        }
+    }
+
+    // Those of cells beyond coupled patches
+    scalarList beyond;
+    syncTools::swapBoundaryCellList(mesh_, weight_, beyond);
+
+    forAll(beyond, i)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+
+        if
+        (
+            delta_[patchi].size()
+         && beyond[i] > 0
+         && weight_[mesh_.faceOwner()[facei]] == 0
+        )
+        {
+            faces.append(facei);
+        }
+    }
+
+    UIndirectList<scalar>(weight_, cells_) = 0;
+}

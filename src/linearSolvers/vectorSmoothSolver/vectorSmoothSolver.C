@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "vectorSmoothSolver.H"
+#include "compat.H"
+#include "profiling.H"
+
+namespace
+{
+    //- Components of |v|
+    inline void addMag(Foam::vector& sum, const Foam::vector& v)
+    {
+        sum += Foam::cmptMag(v);
+    }
+}
+
+
+Foam::vectorSmoothSolver::vectorSmoothSolver
+(
+    const fvVectorMatrix& matrix,
+    volVectorField& psi
+)
+:
+    matrix_(matrix),
+    psi_(psi),
+    source_(matrix.source()),
+    diag_(matrix.diag().size()),
+    performance_("smoothSolver", psi.name())
+{
+    const scalarField& diag = matrix.diag();
+
+    forAll(diag_, celli)
+    {
+        diag_[celli] = vector::uniform(diag[celli]);
+    }
+
+    forAll(psi.boundaryField(), patchi)
+    {
+        const labelUList& cells = matrix.lduAddr().patchAddr(patchi);
+        const vectorField& internal = matrix.internalCoeffs()[patchi];
+        const vectorField& boundary = matrix.boundaryCoeffs()[patchi];
+        const bool coupled = psi.boundaryField()[patchi].coupled();
+
+        forAll(internal, i)
+        {
+            diag_[cells[i]] += internal[i];
+            if (!coupled)
+            {
+                source_[cells[i]] += boundary[i];
+            }
+        }
+    }
+
+    const Vector<label> valid(psi.mesh().validComponents<vector>());
+
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        solved_[cmpt] = valid[cmpt] == -1 ? 0 : 1;
+    }
+}
+
+
+bool Foam::vectorSmoothSolver::serves(const dictionary& controls)
+{
+    return controls.lookupOrDefault<word>("type", "segregated") == "segregated"
+        && controls.lookupOrDefault<word>("solver", "none") == "smoothSolver"
+        && !controls.isDict("smoother")
+        && controls.lookupOrDefault<word>("smoother", "none")
+        == "symGaussSeidel"
+        && controls.lookupOrDefault<label>("nSweeps", 1) > 0;
+}
+
+
+void Foam::vectorSmoothSolver::updateCoupled()
+{
+    volVectorField::Boundary& patches = psi_.boundaryFieldRef();
+    const label nRequests = Pstream::nRequests();
+
+    for (fvPatchVectorField& patch : patches)
+    {
+        if (patch.coupled())
+        {
+            patch.initEvaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+
+    if (Pstream::parRun())
+    {
+        Pstream::waitRequests(nRequests);
+    }
+
+    for (fvPatchVectorField& patch : patches)
+    {
+        if (patch.coupled())
+        {
+            patch.evaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+}
+
+
+void Foam::vectorSmoothSolver::addCoupled
+(
+    const bool one,
+    vectorField& b
+) const
+{
+    forAll(psi_.boundaryField(), patchi)
+    {
+        if (!psi_.boundaryField()[patchi].coupled())
+        {
+            continue;
+        }
+
+        const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
+        const vectorField& coeffs = matrix_.boundaryCoeffs()[patchi];
+        const tmp<vectorField> tbeyond
+        (
+            one
+          ? tmp<vectorField>(new vectorField(coeffs.size(), vector::one))
+          : psi_.boundaryField()[patchi].patchNeighbourField()
+        );
+
+        forAll(coeffs, i)
+        {
+            b[cells[i]] += cmptMultiply(coeffs[i], tbeyond()[i]);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::vectorSmoothSolver::multiply() const
+{
+    const labelUList& l = matrix_.lduAddr().lowerAddr();
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    const scalarField& lower = matrix_.lower();
+    const scalarField& upper = matrix_.upper();
+    const vectorField& psi = psi_.primitiveField();
+
+    tmp<vectorField> tApsi(new vectorField(psi.size(), Zero));
+    vectorField& Apsi = tApsi.ref();
+
+    addCoupled(false, Apsi);
+
+    forAll(Apsi, celli)
+    {
+        Apsi[celli] = cmptMultiply(diag_[celli], psi[celli]) - Apsi[celli];
+    }
+
+    forAll(l, facei)
+    {
+        Apsi[l[facei]] += upper[facei]*psi[u[facei]];
+        Apsi[u[facei]] += lower[facei]*psi[l[facei]];
+    }
+
+    return tApsi;
+}
+
+
+Foam::vector Foam::vectorSmoothSolver::sumMag
+(
+    const vectorField& residual
+) const
+{
+    vector sum(Zero);
+
+    for (const vector& r : residual)
+    {
+        addMag(sum, r);
+    }
+
+    return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
+}
+
+
+Foam::vector Foam::vectorSmoothSolver::normFactor
+(
+    const vectorField& Apsi
+) const
+{
+    const labelUList& l = matrix_.lduAddr().lowerAddr();
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    const scalarField& lower = matrix_.lower();
+    const scalarField& upper = matrix_.upper();
+    const vector mean(gAverage(psi_.primitiveField()));
+
+    // Row sums: of the coupled coefficients, then all
+    vectorField sumA(diag_.size(), Zero);
+    addCoupled(true, sumA);
+
+    forAll(sumA, celli)
+    {
+        sumA[celli] = diag_[celli] - sumA[celli];
+    }
+    forAll(l, facei)
+    {
+        sumA[l[facei]] += vector::uniform(upper[facei]);
+        sumA[u[facei]] += vector::uniform(lower[facei]);
+    }
+
+    vector sum(Zero);
+
+    forAll(sumA, celli)
+    {
+        const vector reference(cmptMultiply(sumA[celli], mean));
+
+        addMag(sum, Apsi[celli] - reference);
+        addMag(sum, source_[celli] - reference);
+    }
+
+    return returnReduce(sum, sumOp<vector>())
+      + vector::uniform(solverPerformance::small_);
+}
+
+
+void Foam::vectorSmoothSolver::sweep()
+{
+    const label nCells = diag_.size();
+    vectorField b(source_);
+    addCoupled(false, b);
+
+    const label* const __restrict__ u =
+        matrix_.lduAddr().upperAddr().begin();
+    const label* const __restrict__ start =
+        matrix_.lduAddr().ownerStartAddr().begin();
+    const scalar* const __restrict__ lower = matrix_.lower().begin();
+    const scalar* const __restrict__ upper = matrix_.upper().begin();
+    const vector* const __restrict__ diag = diag_.begin();
+    vector* const __restrict__ bPtr = b.begin();
+    vector* const psi = psi_.primitiveFieldRef().begin();
+
+    // The row's own unknown, from those of its upper neighbours and what the
+    // lower ones have taken off b; taken off that of the upper ones in turn
+    const auto relax = [=](const label celli)
+    {
+        vector x(bPtr[celli]);
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            x -= upper[facei]*psi[u[facei]];
+        }
+
+        x = cmptDivide(x, diag[celli]);
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            bPtr[u[facei]] -= lower[facei]*x;
+        }
+
+        psi[celli] = x;
+    };
+
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        relax(celli);
+    }
+
+    // What the lower neighbours have taken off b stands until they change
+    for (label celli = nCells - 1; celli >= 0; --celli)
+    {
+        relax(celli);
+    }
+}
+
+
+bool Foam::vectorSmoothSolver::converged
+(
+    const scalar tolerance,
+    const scalar relTol
+) const
+{
+    bool all = true;
+
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        const scalar residual = performance_.finalResidual()[cmpt];
+
+        all = all
+         && (
+                residual < tolerance
+             || residual < relTol*performance_.initialResidual()[cmpt]
+            );
+    }
+
+    return all;
+}
+
+
+void Foam::vectorSmoothSolver::report() const
+{
+    const fvMesh& mesh = psi_.mesh();
+
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        if (solved_[cmpt] > 0 && SolverPerformance<vector>::debug)
+        {
+            solverPerformance
+            (
+                performance_.solverName(),
+                performance_.fieldName() + vector::componentNames[cmpt],
+                performance_.initialResidual()[cmpt],
+                performance_.finalResidual()[cmpt],
+                performance_.nIterations()[cmpt]
+            ).print(Info.masterStream(mesh.comm()));
+        }
+    }
+
+    compat::setSolverPerformance(mesh, psi_.name(), performance_);
+}
+
+
+Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
+(
+    const dictionary& controls
+)
+{
+    addProfiling(solve, "vectorSmoothSolver." + psi_.name());
+
+    const scalar tolerance = controls.lookupOrDefault("tolerance", 1e-6);
+    const scalar relTol = controls.lookupOrDefault<scalar>("relTol", 0);
+    const label nSweeps = controls.lookupOrDefault<label>("nSweeps", 1);
+    const label minIter = controls.lookupOrDefault<label>("minIter", 0);
+    const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
+
+    updateCoupled();
+
+    label n = 0;
+    vector norm(vector::one);
+
+    while (true)
+    {
+        const vectorField Apsi(multiply());
+
+        if (n == 0)
+        {
+            norm = normFactor(Apsi);
+        }
+
+        const vector residual
+        (
+            cmptDivide(sumMag(source_ - Apsi), norm)
+        );
+
+        if (n == 0)
+        {
+            performance_.initialResidual() = residual;
+        }
+        performance_.finalResidual() = residual;
+
+        if (n >= minIter && (n >= maxIter || converged(tolerance, relTol)))
+        {
+            break;
+        }
+
+        for (label i = 0; i < nSweeps; ++i)
+        {
+            sweep();
+            updateCoupled();
+        }
+        n += nSweeps;
+    }
+
+    performance_.nIterations() = Vector<label>::uniform(n);
+    psi_.correctBoundaryConditions();
+    report();
+
+    return performance_;
+}
