@@ -11,8 +11,9 @@ namespace
     //  convection
     const Foam::label lastBandOuter = 5;
 
-    //- Viscous reach, in cells, squared
-    const Foam::scalar maxBandReach = 4;
+    //- Viscous reach, in cells, squared; not a number that round settings give,
+    //  and that ranks could see on different sides
+    const Foam::scalar maxBandReach = 3.7;
 
     //- Change of the bodies' velocities in the iteration before, relative
     const Foam::scalar maxBandChange = 0.1;
