@@ -23,13 +23,15 @@ namespace
 bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
 {
     // The first time step of a run has no flux that is extrapolated. In a
-    // window all fluxes change with its velocity.
+    // window all fluxes change with its velocity, and unresolved bodies act
+    // outside of the bands.
     return outer_ > 1
      && outer_ <= lastBandOuter
      && change_ < maxBandChange
      && uniformViscosity_
      && !bodies_->window().comoving()
      && !MRF.MRFZoneList::size()
+     && !bodies_->nUnresolved()
      && runTime_.timeIndex() > 1
      && viscousReach() < maxBandReach;
 }

@@ -8,6 +8,33 @@ Foam::scalar Foam::flowSolvers::immersedFluid::fluidSpeed() const
 }
 
 
+void Foam::flowSolvers::immersedFluid::correctUnresolved
+(
+    const ddtCoefficients& ddt
+)
+{
+    if (!bodies_->nUnresolved())
+    {
+        return;
+    }
+
+    const tmp<vectorField> tchange
+    (
+        bodies_->correctUnresolved
+        (
+            ddt,
+            U_,
+            momentumTransport->nu()(),
+            viscosity()
+        )
+    );
+
+    force_ += tchange();
+    U_.primitiveFieldRef() += tchange()/ddt.c;
+    U_.correctBoundaryConditions();
+}
+
+
 void Foam::flowSolvers::immersedFluid::bodyCorrector
 (
     const ddtCoefficients& ddt,
@@ -60,7 +87,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     const bool posed = outer_ > 1 || bodies_->window().comoving();
 
     converged_ = !bodies_->moving()
-     || !bodies_->size()
+     || !bodies_->nResolved()
      || bodies_->steady().active()
      || (posed && change <= bodies_->tolerance()*speed);
 

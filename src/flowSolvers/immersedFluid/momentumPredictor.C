@@ -163,6 +163,7 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
     if
     (
         bodies_->moving()
+     && bodies_->nResolved()
      && !bodies_->window().comoving()
      && uniformViscosity_
      && runTime_.timeIndex() > 1
@@ -251,13 +252,12 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     {
         convecting_ = new surfaceScalarField("convecting", phi_);
     }
+    bodies_->addUnresolved(force_);
     A0_ = tUEqn().A();
-    bodies_->updateResistance
-    (
-        ddtCoefficients(mesh_, U_.name()),
-        A0_(),
-        viscosity()
-    );
+
+    const ddtCoefficients ddt(mesh_, U_.name());
+
+    bodies_->updateResistance(ddt, A0_(), viscosity());
 
     fvVectorMatrix UEqn(tUEqn());
 
@@ -266,6 +266,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     UEqn.source() -= mesh_.V()*tdrive();
     bodies_->region().penalise(A0_(), tdrive(), UEqn);
     solveMomentum(UEqn);
+    correctUnresolved(ddt);
 
     fvOptions.correct(U_);
 }

@@ -16,6 +16,7 @@ void Foam::flowSolvers::immersedFluid::postSolve()
     if (good)
     {
         bodies_->enter(U_);
+        bodies_->selectCoupling(U_);
     }
 
     continuityErrors();
@@ -28,7 +29,7 @@ void Foam::flowSolvers::immersedFluid::postSolve()
 
     if (runTime_.writeTime())
     {
-        bodies_->region().bodyFraction()->write();
+        bodies_->bodyFraction()->write();
     }
 
     if (!(bodies_->maxSpeed() < GREAT))

@@ -229,3 +229,34 @@ bool Foam::bodyRegion::update
 
     return true;
 }
+
+
+bool Foam::bodyRegion::clear()
+{
+    const bool some = searchMargin_ > 0;
+
+    searchMargin_ = -1;
+    position_ = point::max;
+    nearCells_.clear();
+    nearFaces_.clear();
+
+    for (DynamicList<label>* labels : {&cells, &faces})
+    {
+        labels->clearStorage();
+    }
+    for
+    (
+        DynamicList<scalar>* values
+      : {
+            &distance, &h, &c4, &resistance, &shield, &faceDistance, &faceH,
+            &faceShield
+        }
+    )
+    {
+        values->clearStorage();
+    }
+    normal.clearStorage();
+    faceNormal.clearStorage();
+
+    return some;
+}

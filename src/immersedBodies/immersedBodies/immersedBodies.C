@@ -4,6 +4,7 @@
 #include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "contactModel.H"
+#include "unresolvedCoupling.H"
 
 namespace Foam
 {
@@ -131,12 +132,15 @@ Foam::immersedBodies::immersedBodies
     }
 
     findSymmetry();
-    region_.updateGeometry(bodies_);
+    unresolved_.reset
+    (
+        new unresolvedCoupling
+        (
+            coupling, space_, region_.search(), periodicity_, bodies_
+        )
+    );
+    placeInMesh();
     checkInside();
-    if (h_.size() != size())
-    {
-        measureCells();
-    }
     checkResolution();
 
     if (proximity_.check(bodies_, region_, h_, mesh_))
@@ -157,7 +161,7 @@ bool Foam::immersedBodies::anyFree() const
 {
     for (const immersedBody& body : bodies_)
     {
-        if (body.isFree())
+        if (body.isFree() && body.resolved())
         {
             return true;
         }
@@ -184,10 +188,13 @@ Foam::scalar Foam::immersedBodies::slip() const
 {
     scalar sum = 0, volume = 0;
 
-    for (const bodyLoad& load : loads_)
+    forAll(loads_, bodyi)
     {
-        sum += load.slip;
-        volume += load.volume;
+        if (bodies_[bodyi].resolved())
+        {
+            sum += loads_[bodyi].slip;
+            volume += loads_[bodyi].volume;
+        }
     }
 
     return Foam::sqrt(sum/max(volume, VSMALL));

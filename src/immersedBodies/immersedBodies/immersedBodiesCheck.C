@@ -96,12 +96,13 @@ void Foam::immersedBodies::measureCells()
     compat::allReduce(atSurface, maxEqOp<scalar>());
     compat::allReduce(inBand, maxEqOp<scalar>());
 
-    h_.resize(size());
-
     forAll(h_, bodyi)
     {
-        h_[bodyi] =
-            cellSize(bodies_[bodyi], {atSurface[bodyi], inBand[bodyi]});
+        if (bodies_[bodyi].resolved())
+        {
+            h_[bodyi] =
+                cellSize(bodies_[bodyi], {atSurface[bodyi], inBand[bodyi]});
+        }
     }
 }
 
@@ -195,7 +196,7 @@ void Foam::immersedBodies::checkResolution() const
 {
     forAll(bodies_, bodyi)
     {
-        if (cellsPerWidth(bodyi) < 4)
+        if (bodies_[bodyi].resolved() && cellsPerWidth(bodyi) < 4)
         {
             IOWarningInFunction(dict_.subDict("bodies"))
                 << "Body '" << bodies_[bodyi].name() << "' has only "

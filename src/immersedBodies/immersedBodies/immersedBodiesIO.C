@@ -4,6 +4,7 @@
 #include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "contactModel.H"
+#include "unresolvedCoupling.H"
 #include "uniformDimensionedFields.H"
 
 Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
@@ -98,11 +99,10 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
             "bodies"
         }
     );
-    keywords::check
-    (
-        dict.subOrEmptyDict("coupling"),
-        {"nOuterCorrectors", "tolerance"}
-    );
+    wordList ofCoupling(unresolvedCoupling::keywords);
+    ofCoupling.append(word("nOuterCorrectors"));
+    ofCoupling.append(word("tolerance"));
+    keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
 
     auto onlyChoice = [&](const word& key, const word& type)
     {
@@ -198,7 +198,13 @@ void Foam::immersedBodies::report(Ostream& os) const
     }
 
     os  << nl << "    coupling: at most " << nOuterCorrectors_
-        << " iterations, tolerance " << tolerance_ << nl;
+        << " iterations, tolerance " << tolerance_;
+    if (nUnresolved())
+    {
+        os  << nl << "    ";
+        unresolved_->report(os);
+    }
+    os  << nl;
 
     if (contact_->active())
     {

@@ -4,6 +4,7 @@
 #include "bodyPassage.H"
 #include "compat.H"
 #include "profiling.H"
+#include "unresolvedCoupling.H"
 
 namespace
 {
@@ -36,6 +37,7 @@ Foam::autoPtr<Foam::immersedBody> Foam::immersedBodies::take
     bodies_.resize(size() - 1);
 
     region_.remove(bodyi);
+    unresolved_->remove(bodyi);
     erase(nParts_, bodyi);
     erase(loads_, bodyi);
     erase(h_, bodyi);
@@ -46,7 +48,14 @@ Foam::autoPtr<Foam::immersedBody> Foam::immersedBodies::take
 
 bool Foam::immersedBodies::leave()
 {
-    const labelList held(passage_->touch(bodies_, region_, loads_));
+    UPtrList<const DynamicList<label>> beside(size());
+
+    forAll(beside, bodyi)
+    {
+        beside.set(bodyi, &cellsBeside(bodyi));
+    }
+
+    const labelList held(passage_->touch(bodies_, beside, loads_));
     bool good = true;
     bool changed = false;
 
@@ -110,38 +119,62 @@ bool Foam::immersedBodies::enter
         body(), region_.search(), region_.resistance().bandWidth()
     );
 
-    // Size of the cells, and is the centre in one
+    // Size of the cells, and of the one with the centre
     const Pair<scalar> local(largestCells(region()));
     scalarField largest(3);
     largest[0] = local.first();
     largest[1] = local.second();
-    largest[2] =
-        region_.search().findCell(body->state().position) < 0 ? 0 : 1;
+    largest[2] = unresolved_->cellSize(body->state().position);
     compat::allReduce(largest, maxEqOp<scalar>());
 
-    const scalar h = cellSize(body(), {largest[0], largest[1]});
+    scalar h = cellSize(body(), {largest[0], largest[1]});
+
+    body->setResolved(unresolved_->resolves(body(), max(h, largest[2])));
+    if (!body->resolved())
+    {
+        h = largest[2];
+    }
+
+    // Unresolved ones may come as close as they fit
+    labelList beside(region->cells);
+    scalar least = h;
+
+    if (!body->resolved())
+    {
+        beside = region_.search().cellsAround
+        (
+            body->state().position,
+            body->shape().boundingRadius() + gap + h
+        );
+        least = 0;
+    }
 
     if
     (
         largest[2] == 0
-     || !passage_->room(body(), region(), bodies_, h, gap)
+     || !passage_->room(body(), beside, bodies_, least, gap)
     )
     {
         return false;
     }
 
-    const displacedFluid fluid(region_.fluidInside(body(), region(), U));
+    const displacedFluid fluid
+    (
+        body->resolved()
+      ? region_.fluidInside(body(), region(), U)
+      : region_.fluidAt(body->state().position, U)
+    );
 
     body->setAmbient(fluid.velocity(), fluid.angularVelocity());
 
     // As at the start of a run, for all time levels there are
-    region_.setRigidMotion(body(), region(), U.primitiveFieldRef());
-    if (U.nOldTimes())
+    if (body->resolved())
     {
-        region_.setRigidMotion
-        (
-            body(), region(), U.oldTime().primitiveFieldRef()
-        );
+        region_.restartFluid(body(), region(), U);
+    }
+    else
+    {
+        region->clear();
     }
 
     bodies_.append(body.ptr());

@@ -4,6 +4,7 @@
 #include "compat.H"
 #include "contactModel.H"
 #include "profiling.H"
+#include "unresolvedCoupling.H"
 
 Foam::scalar Foam::immersedBodies::stepRatio() const
 {
@@ -61,6 +62,7 @@ void Foam::immersedBodies::predict()
 
     predictPoses();
     region_.updateGeometry(bodies_);
+    unresolved_->update(bodies_, h_);
 }
 
 
@@ -106,18 +108,28 @@ void Foam::immersedBodies::reduceLoads(const bool response)
     }
 
     const label n = response ? bodyLoad::nPacked : bodyLoad::nPackedLoad;
-    scalarField packed(n*loads_.size());
+    scalarField packed(n*nResolved());
+    label at = 0;
 
     forAll(loads_, bodyi)
     {
-        loads_[bodyi].pack(packed, n*bodyi, n);
+        if (bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].pack(packed, at, n);
+            at += n;
+        }
     }
 
     compat::allReduce(packed, plusEqOp<scalar>());
+    at = 0;
 
     forAll(loads_, bodyi)
     {
-        loads_[bodyi].unpack(packed, n*bodyi, n);
+        if (bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].unpack(packed, at, n);
+            at += n;
+        }
     }
 }
 
@@ -135,20 +147,31 @@ Foam::scalar Foam::immersedBodies::correct
 {
     addProfiling(correct, "immersedBodies::correct");
 
-    region_.load(bodies_, ddt, E0, A0, U, gradP, dU, response, loads_);
-
-    forAll(loads_, bodyi)
+    if (nResolved())
     {
-        loads_[bodyi].scale(nParts_[bodyi], response);
-    }
+        region_.load(bodies_, ddt, E0, A0, U, gradP, dU, response, loads_);
 
-    reduceLoads(response);
+        forAll(loads_, bodyi)
+        {
+            loads_[bodyi].scale(nParts_[bodyi], response);
+        }
+
+        reduceLoads(response);
+    }
 
     scalar change = 0;
 
     forAll(bodies_, bodyi)
     {
         immersedBody& body = bodies_[bodyi];
+
+        if (!body.resolved())
+        {
+            // correctUnresolved() has moved it on
+            loads_[bodyi].volume =
+                unresolved_->inside(bodyi) ? body.volume() : 0;
+            continue;
+        }
 
         // One that is all but outside the mesh has nothing to go by
         if (!body.isFree() || inMesh(bodyi))

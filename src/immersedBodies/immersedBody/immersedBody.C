@@ -23,6 +23,7 @@ Foam::immersedBody::immersedBody
     freeOmega_(space.rotation()),
     mirrored_(Zero),
     fixed_(false),
+    resolved_(true),
     ambientU_(false),
     ambientOmega_(false),
     wrapped_(Zero),
@@ -33,7 +34,7 @@ Foam::immersedBody::immersedBody
     state_.orientation = orientation;
 
     readMotion(dict);
-
+    readCoupling(dict);
     readDensity(dict, rho);
     restart();
 }

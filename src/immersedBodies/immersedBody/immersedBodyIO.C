@@ -7,7 +7,7 @@
 const Foam::wordList Foam::immersedBody::keywords
 ({
     "shape", "density", "densityRatio", "velocity", "angularVelocity",
-    "constraints", "motion"
+    "constraints", "motion", "coupling"
 });
 
 
@@ -167,6 +167,18 @@ void Foam::immersedBody::readConstraints(const dictionary& dict)
 }
 
 
+void Foam::immersedBody::readCoupling(const dictionary& dict)
+{
+    if (dict.found("coupling"))
+    {
+        coupling_ = Foam::keywords::choice
+        (
+            dict, "coupling", {"resolved", "unresolved", "auto"}, word::null
+        );
+    }
+}
+
+
 void Foam::immersedBody::readVelocities(const dictionary& dict)
 {
     if (dict.found("velocity"))
@@ -212,6 +224,9 @@ void Foam::immersedBody::readState(const dictionary& dict)
         hold();
     }
 
+    resolved_ = !dict.found("load");
+    load_.force = dict.lookupOrDefault<vector>("load", Zero);
+
     state_ = bodyState(dict);
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
@@ -252,6 +267,12 @@ void Foam::immersedBody::writeState(Ostream& os) const
     {
         // It waits to enter again
         os.writeEntry("ambient", Switch(true));
+    }
+
+    if (!resolved_)
+    {
+        // What the next step begins with
+        os.writeEntry("load", load_.force);
     }
 
     state_.write(os);

@@ -168,7 +168,8 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
     // step of a light body would be too long: half of that of a disc. It adds
     // nothing to that of a turning disc or sphere; a tenth is for the response,
     // which is the inertia inside to some per cent only.
-    const scalar lightness = max(1 - densityRatio_, 0);
+    // The response of an unresolved body is complete.
+    const scalar lightness = resolved_ ? max(1 - densityRatio_, 0) : 0;
     const tensor I(inertia(state_));
     scalarSquareMatrix J(load.block());
 
@@ -208,7 +209,7 @@ Foam::scalar Foam::immersedBody::correctVelocity
         }
     }
 
-    ddtMomentum_ = ddt(momentum(state_), momentum(old_), momentum(oldOld_));
+    ddtMomentum_ = ddtMomentum(ddt);
 
     if (!isFree())
     {

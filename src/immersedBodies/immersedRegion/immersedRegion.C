@@ -169,12 +169,12 @@ void Foam::immersedRegion::updateGeometry
 
     for (bodyRegion& region : regions_)
     {
-        const bool moved = region.update
-        (
-            bodies[region.body()],
-            search_,
-            resistance_->bandWidth()
-        );
+        const immersedBody& body = bodies[region.body()];
+        const bool moved =
+            body.resolved()
+          ? region.update(body, search_, resistance_->bandWidth())
+          : region.clear();
+
         changed = moved || changed;
     }
 
@@ -350,5 +350,21 @@ void Foam::immersedRegion::setRigidMotion
         const vector Ub(region.velocity(body.state(), centres[celli]));
 
         U[celli] += fractionInside(region, i)*(Ub - U[celli]);
+    }
+}
+
+
+void Foam::immersedRegion::restartFluid
+(
+    const immersedBody& body,
+    const bodyRegion& region,
+    volVectorField& U
+) const
+{
+    setRigidMotion(body, region, U.primitiveFieldRef());
+
+    if (U.nOldTimes())
+    {
+        setRigidMotion(body, region, U.oldTime().primitiveFieldRef());
     }
 }

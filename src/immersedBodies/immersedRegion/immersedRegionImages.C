@@ -33,7 +33,14 @@ Foam::label findSame
 
 void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
 {
-    if (!periodicity_.active())
+    bool any = false;
+
+    for (const immersedBody& body : bodies)
+    {
+        any = any || body.resolved();
+    }
+
+    if (!periodicity_.active() || !(any || regions_.size() > bodies.size()))
     {
         return;
     }
@@ -63,6 +70,12 @@ void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
     forAll(bodies, bodyi)
     {
         const immersedBody& body = bodies[bodyi];
+
+        if (!body.resolved())
+        {
+            continue;
+        }
+
         const scalar reach =
             bodyRegion::reach(body, resistance_->bandWidth());
 

@@ -220,6 +220,37 @@ Foam::displacedFluid Foam::immersedRegion::fluidInside
 }
 
 
+Foam::displacedFluid Foam::immersedRegion::fluidAt
+(
+    const point& x,
+    const vectorField& U
+) const
+{
+    const label celli = search_.findCell(x);
+    displacedFluid fluid;
+
+    if (celli >= 0)
+    {
+        // As six parts, for an inertia
+        const scalar V = mesh_.V()[celli]/6;
+        const scalar r = 0.5*search_.h()[celli];
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            vector arm(Zero);
+            arm[k] = r;
+
+            fluid.add(V, arm, U[celli]);
+            fluid.add(V, -arm, U[celli]);
+        }
+    }
+
+    fluid.reduce();
+
+    return fluid;
+}
+
+
 void Foam::immersedRegion::addResponse
 (
     const scalar ddtCoeff,

@@ -42,7 +42,8 @@ Foam::injector::injector
         wordList
         ({
             "shape", "size", "density", "densityRatio", "velocity",
-            "angularVelocity", "constraints", "orientation", "gap", "tries"
+            "angularVelocity", "constraints", "orientation", "coupling",
+            "gap", "tries"
         })
     );
     keywords::check(dict, valid);

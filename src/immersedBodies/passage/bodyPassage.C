@@ -132,7 +132,7 @@ bool Foam::bodyPassage::due(const scalar t) const
 Foam::labelList Foam::bodyPassage::touch
 (
     PtrList<immersedBody>& bodies,
-    const immersedRegion& region,
+    const UPtrList<const DynamicList<label>>& beside,
     const List<bodyLoad>& loads
 ) const
 {
@@ -149,7 +149,7 @@ Foam::labelList Foam::bodyPassage::touch
     forAll(bodies, bodyi)
     {
         gaps[bodyi] =
-            open_->gap(bodies[bodyi], region.region(bodyi), patches[bodyi]);
+            open_->gap(bodies[bodyi], beside[bodyi], patches[bodyi]);
     }
 
     // The patch of the processor with the smallest gap
@@ -225,7 +225,7 @@ void Foam::bodyPassage::take(autoPtr<immersedBody> body)
 bool Foam::bodyPassage::room
 (
     const immersedBody& body,
-    const bodyRegion& region,
+    const UList<label>& beside,
     const PtrList<immersedBody>& bodies,
     const scalar h,
     const scalar gap
@@ -253,8 +253,8 @@ bool Foam::bodyPassage::room
     label patchi;
     const scalar clearance = min
     (
-        closed_->gap(body, region, patchi) - wanted,
-        open_->gap(body, region, patchi) + 1e-6*R
+        closed_->gap(body, beside, patchi) - wanted,
+        open_->gap(body, beside, patchi) + 1e-6*R
     );
 
     return returnReduce(clearance, minOp<scalar>()) >= 0;

@@ -21,16 +21,47 @@ Foam::patchGaps::patchGaps(const fvMesh& mesh, const boolList& patches)
 Foam::scalar Foam::patchGaps::gap
 (
     const immersedBody& body,
-    const bodyRegion& region,
+    const label facei
+) const
+{
+    const pointField& points = mesh_.points();
+    const face& f = mesh_.faces()[facei];
+    const point& centre = body.state().position;
+    pointField x(1, f.nearestPoint(centre, points).rawPoint());
+
+    if (!body.resolved())
+    {
+        const vector out(centre - x[0]);
+        const scalar side = (out & mesh_.faceAreas()[facei]) > 0 ? -1 : 1;
+
+        return side*mag(out) - body.shape().boundingRadius();
+    }
+
+    if (!body.shape().round())
+    {
+        x.append(f.points(points));
+        x.append(mesh_.faceCentres()[facei]);
+    }
+
+    scalarField d(x.size());
+    body.distance(x, d);
+
+    return min(d);
+}
+
+
+Foam::scalar Foam::patchGaps::gap
+(
+    const immersedBody& body,
+    const UList<label>& beside,
     label& patchi
 ) const
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const pointField& points = mesh_.points();
     scalar smallest = GREAT;
     patchi = -1;
 
-    for (const label celli : region.cells)
+    for (const label celli : beside)
     {
         if (!cells_.test(celli))
         {
@@ -47,24 +78,11 @@ Foam::scalar Foam::patchGaps::gap
                 continue;
             }
 
-            const face& f = mesh_.faces()[facei];
-            pointField x
-            (
-                1, f.nearestPoint(body.state().position, points).rawPoint()
-            );
+            const scalar d = gap(body, facei);
 
-            if (!body.shape().round())
+            if (d < smallest)
             {
-                x.append(f.points(points));
-                x.append(mesh_.faceCentres()[facei]);
-            }
-
-            scalarField d(x.size());
-            body.distance(x, d);
-
-            if (min(d) < smallest)
-            {
-                smallest = min(d);
+                smallest = d;
                 patchi = at;
             }
         }

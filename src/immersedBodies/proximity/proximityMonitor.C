@@ -34,6 +34,14 @@ Foam::scalar sampledGap
     return Foam::min(d);
 }
 
+
+//- Gap that is worth a warning, with cells of the size h: none if the flow
+//  between the bodies is not to be resolved
+Foam::scalar margin(const Foam::immersedBody& body, const Foam::scalar h)
+{
+    return body.resolved() ? h : 0;
+}
+
 } // End anonymous namespace
 
 
@@ -182,7 +190,7 @@ bool Foam::proximityMonitor::checkPair
     (
         a.name() + " and " + b.name(),
         gap(a, b, pair.shift),
-        max(h[pair.a], h[pair.b]),
+        max(margin(a, h[pair.a]), margin(b, h[pair.b])),
         min(a.shape().width(), b.shape().width())
     );
 }
@@ -216,7 +224,8 @@ bool Foam::proximityMonitor::check
     forAll(bodies, i)
     {
         centres[i] = bodies[i].state().position;
-        radii[i] = bodies[i].shape().boundingRadius() + h[i];
+        radii[i] =
+            bodies[i].shape().boundingRadius() + margin(bodies[i], h[i]);
         overlap =
             note
             (

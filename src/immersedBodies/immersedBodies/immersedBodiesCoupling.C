@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "compat.H"
+#include "profiling.H"
+#include "unresolvedCoupling.H"
+
+Foam::label Foam::immersedBodies::nUnresolved() const
+{
+    label n = 0;
+
+    for (const immersedBody& body : bodies_)
+    {
+        n += !body.resolved();
+    }
+
+    return n;
+}
+
+
+const Foam::DynamicList<Foam::label>& Foam::immersedBodies::cellsBeside
+(
+    const label bodyi
+) const
+{
+    return bodies_[bodyi].resolved()
+      ? region_.region(bodyi).cells
+      : unresolved_->cells(bodyi);
+}
+
+
+void Foam::immersedBodies::placeInMesh()
+{
+    const bool known = h_.size() == size();
+
+    if (!known)
+    {
+        h_.resize(size());
+
+        forAll(h_, bodyi)
+        {
+            h_[bodyi] =
+                unresolved_->cellSize(bodies_[bodyi].state().position);
+        }
+        compat::allReduce(h_, maxEqOp<scalar>());
+    }
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        // What the mesh decided on in the previous run stays
+        if (!restarted_ || unresolved_->type(body) != "auto")
+        {
+            body.setResolved(unresolved_->resolves(body, h_[bodyi]));
+        }
+    }
+
+    region_.updateGeometry(bodies_);
+
+    if (!known)
+    {
+        const scalarField atCentre(h_);
+
+        measureCells();
+
+        // The cells at the surface may be larger than that at the centre
+        forAll(bodies_, bodyi)
+        {
+            immersedBody& body = bodies_[bodyi];
+
+            if (!unresolved_->resolves(body, h_[bodyi]) && body.resolved())
+            {
+                body.setResolved(false);
+                h_[bodyi] = atCentre[bodyi];
+            }
+        }
+        region_.updateGeometry(bodies_);
+    }
+
+    unresolved_->update(bodies_, h_);
+}
+
+
+Foam::scalarField Foam::immersedBodies::localCellSizes() const
+{
+    scalarField sizes(size(), -1);
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        if (unresolved_->type(body) != "auto")
+        {
+            continue;
+        }
+
+        if (!body.resolved())
+        {
+            // Not for most of them, far from being resolved
+            sizes[bodyi] = unresolved_->resolves(body, h_[bodyi])
+              ? unresolved_->largestCell(bodyi, body.shape().boundingRadius())
+              : h_[bodyi];
+        }
+        else if (inMesh(bodyi))
+        {
+            sizes[bodyi] = largestCells(region_.region(bodyi)).first();
+        }
+    }
+
+    compat::allReduce(sizes, maxEqOp<scalar>());
+
+    return sizes;
+}
+
+
+void Foam::immersedBodies::selectCoupling(volVectorField& U)
+{
+    bool any = false;
+
+    for (const immersedBody& body : bodies_)
+    {
+        any = any || unresolved_->type(body) == "auto";
+    }
+
+    if (!any)
+    {
+        return;
+    }
+
+    addProfiling(select, "immersedBodies::selectCoupling");
+
+    const scalarField sizes(localCellSizes());
+    DynamicList<label> resolved, unresolved;
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        // Not while it enters or leaves, where a part has no cells
+        if (sizes[bodyi] <= 0 || body.passing().size())
+        {
+            continue;
+        }
+
+        h_[bodyi] = sizes[bodyi];
+
+        const bool resolve = unresolved_->resolves(body, h_[bodyi]);
+
+        if (resolve != body.resolved())
+        {
+            body.setResolved(resolve);
+            (resolve ? resolved : unresolved).append(bodyi);
+        }
+    }
+
+    if (resolved.empty() && unresolved.empty())
+    {
+        return;
+    }
+
+    Info<< "Cells per width: " << resolved.size()
+        << " bodies resolved from now on, " << unresolved.size()
+        << " no longer" << endl;
+
+    region_.updateGeometry(bodies_, true);
+
+    for (const bodyRegion& region : region_.regions())
+    {
+        if (resolved.found(region.body()))
+        {
+            region_.restartFluid(bodies_[region.body()], region, U);
+        }
+    }
+    U.correctBoundaryConditions();
+    unresolved_->update(bodies_, h_);
+}
+
+
+void Foam::immersedBodies::addUnresolved(vectorField& force) const
+{
+    if (unresolved_->active())
+    {
+        force.resize(mesh_.nCells(), Zero);
+        unresolved_->addLoads(bodies_, 1, force);
+    }
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
+(
+    const ddtCoefficients& ddt,
+    const volVectorField& U,
+    const scalarField& nu,
+    const scalarField& nuEff
+)
+{
+    addProfiling(correct, "immersedBodies::correctUnresolved");
+
+    tmp<vectorField> tchange(new vectorField(mesh_.nCells(), Zero));
+
+    unresolved_->addLoads(bodies_, -1, tchange.ref());
+    unresolved_->correct
+    (
+        bodies_, ddt, g_, window_.velocity(), U, nu, nuEff
+    );
+    unresolved_->addLoads(bodies_, 1, tchange.ref());
+
+    return tchange;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
+{
+    tmp<volScalarField> tfraction(region_.bodyFraction());
+
+    unresolved_->addFraction(tfraction.ref().primitiveFieldRef());
+    tfraction.ref().correctBoundaryConditions();
+
+    return tfraction;
+}

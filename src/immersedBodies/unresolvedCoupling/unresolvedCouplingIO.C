@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "unresolvedCoupling.H"
+#include "checkKeywords.H"
+
+const Foam::wordList Foam::unresolvedCoupling::types
+({
+    "resolved", "unresolved", "auto"
+});
+
+const Foam::wordList Foam::unresolvedCoupling::keywords
+({
+    "type", "resolvedFrom", "dragModel", "kernel"
+});
+
+
+Foam::unresolvedCoupling::unresolvedCoupling
+(
+    const dictionary& dict,
+    const geometricSpace& space,
+    const cellSearch& search,
+    const periodicity& periods,
+    const PtrList<immersedBody>& bodies
+)
+:
+    mesh_(search.mesh()),
+    search_(search),
+    periods_(periods),
+    type_(Foam::keywords::choice(dict, "type", types, "resolved")),
+    resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
+    drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
+    centres_(mesh_.cellCentres(), false),
+    nUnresolved_(0)
+{
+    const dictionary& kernel = dict.subOrEmptyDict("kernel");
+
+    Foam::keywords::check(kernel, {"cells", "diameters"});
+    kernelCells_ = Foam::keywords::positiveOr(kernel, "cells", 3);
+    kernelDiameters_ = Foam::keywords::positiveOr(kernel, "diameters", 2);
+
+    if (kernelCells_ < 1.5)
+    {
+        FatalIOErrorInFunction(kernel)
+            << "'cells " << kernelCells_ << "' in 'kernel' must be at least"
+            << " 1.5, or parts of the mesh have no cell in a kernel" << nl
+            << exit(FatalIOError);
+    }
+
+    bool wanted = type_ != "resolved";
+
+    for (const immersedBody& body : bodies)
+    {
+        wanted = wanted || type(body) != "resolved";
+    }
+
+    if (wanted && space.twoD())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'coupling' can only be 'resolved' in two dimensions: drag laws"
+            << " are those of spheres" << nl << exit(FatalIOError);
+    }
+
+    resize(bodies);
+}
+
+
+void Foam::unresolvedCoupling::report(Ostream& os) const
+{
+    os  << type_;
+
+    if (type_ == "auto")
+    {
+        os  << ", from " << resolvedFrom_ << " cells per width";
+    }
+    os  << ", " << nUnresolved_ << " unresolved, drag of " << drag_->type()
+        << ", kernels of " << kernelCells_ << " cells or "
+        << kernelDiameters_ << " diameters";
+}

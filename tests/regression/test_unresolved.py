@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies smaller than the cells: terminal velocity, exchange of momentum with
+the fluid, processors, restart."""
+
+import numpy as np
+import pytest
+
+from bodyCase import BodyCase
+from fallingGrain import falling_grain, limit, terminal_velocity
+from unresolvedBox import GRAINS, grain_box, momentum, velocities
+
+
+def test_standard_drag_of_the_reference():
+    # Clift, Grace & Weber (1978), 2 mm and 1000 kg/m3 in air
+    assert terminal_velocity(0.002, 1000) == pytest.approx(6.722, abs=1e-3)
+
+
+@pytest.mark.parametrize("cells", [1, 0.3])
+def test_terminal_velocity_of_a_rapeseed(cells, tmp_path):
+    D = 0.002
+    case, _ = falling_grain(tmp_path, "fall", D, cells, start=0.97, courant=4)
+    log = case.solve()
+
+    speed = case.table("motion")["velocity_x"]
+    assert limit(speed) == pytest.approx(
+        terminal_velocity(D, 1000), rel=0.005
+    )
+    assert "outer iterations 1," in log
+    assert "outer iterations 2" not in log
+
+
+def test_drag_model_that_is_selected_acts(tmp_path):
+    def schiller_naumann(Re):
+        return 24/Re*(1 + 0.15*Re**0.687)
+
+    case, _ = falling_grain(
+        tmp_path, "fall", 0.002, 0.3, start=1.03,
+        coupling="type unresolved; dragModel { type SchillerNaumann; }",
+    )
+    case.solve()
+    assert limit(case.table("motion")["velocity_x"]) == pytest.approx(
+        terminal_velocity(0.002, 1000, drag=schiller_naumann), rel=0.005
+    )
+
+
+@pytest.mark.parametrize("nu, scheme", [
+    (0.5, "backward"), (1e-4, "Euler"), (50, "backward"),
+])
+def test_momentum_is_conserved(nu, scheme, tmp_path):
+    case = grain_box(tmp_path, nu=nu, scheme=scheme)
+    case.solve()
+
+    total = momentum(case)
+    change = sum(
+        (ratio - 1)*4/3*np.pi*radius**3
+        * np.ptp(velocities(case, i), axis=0)
+        for i, (ratio, radius, _, _) in enumerate(GRAINS)
+    )
+    assert np.abs(change).max() > 1e-4
+    assert total == pytest.approx(
+        np.broadcast_to(total[0], total.shape), abs=1e-11
+    )
+
+
+def test_drag_brings_grains_to_the_fluid(tmp_path):
+    """However stiff: relaxation times of 1e-5 of the time step."""
+    case = grain_box(tmp_path, nu=50)
+    case.solve()
+
+    for i in range(len(GRAINS)):
+        U = velocities(case, i)
+        assert np.abs(U).max() < 1.2
+        assert U[-1] == pytest.approx([1, 0, 0], abs=0.01)
+
+
+@pytest.mark.parametrize("ranks, parts", [(2, (1, 1, 2)), (4, (2, 1, 2))])
+def test_same_on_several_ranks(ranks, parts, tmp_path):
+    one = grain_box(tmp_path)
+    several = BodyCase(one, tmp_path, "several")
+    one.solve()
+    several.solve(ranks, parts)
+
+    for i in range(len(GRAINS)):
+        a, b = one.table("motion", i), several.table("motion", i)
+        for column in a:
+            assert b[column] == pytest.approx(a[column], abs=1e-9)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("scheme", ["backward", "Euler"])
+def test_restart_is_exact(scheme, ranks, tmp_path):
+    at_once = grain_box(tmp_path, scheme=scheme)
+    # The sums of fastPoisson may differ in the last bit from run to run
+    at_once.replace(
+        "system/fvSolution", "fastPoisson", "PCG; preconditioner DIC"
+    )
+    at_once.controls(
+        endTime=0.2, writeControl="timeStep", writeInterval=5,
+        writePrecision=17, timePrecision=15,
+    )
+    if ranks > 1:
+        at_once.decompose(ranks)
+    parts = BodyCase(at_once, tmp_path, "parts")
+    at_once.solve(ranks)
+    parts.controls(endTime=0.1)
+    parts.solve(ranks)
+    parts.controls(endTime=0.2)
+    parts.solve(ranks)
+
+    place = "processor0" if ranks > 1 else "."
+    for name in ("U", "phi", "p", "bodyFraction", "uniform/immersedBodies"):
+        a, b = (
+            (case.path/place/case.latest_time(place)/name).read_bytes()
+            for case in (at_once, parts)
+        )
+        assert a == b, name
