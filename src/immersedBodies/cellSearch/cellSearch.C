@@ -155,6 +155,26 @@ Foam::labelList Foam::cellSearch::cellsAround
 }
 
 
+bool Foam::cellSearch::contains(const label celli, const point& x) const
+{
+    const scalar tolerance = 1e-9*h_[celli];
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const vector& Sf = mesh_.faceAreas()[facei];
+        const scalar beyond = (x - mesh_.faceCentres()[facei]) & Sf;
+        const bool owner = mesh_.faceOwner()[facei] == celli;
+
+        if ((owner ? beyond : -beyond) > tolerance*mag(Sf))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
 Foam::label Foam::cellSearch::findCell(const point& x) const
 {
     if (!mesh_.nCells())

@@ -114,11 +114,10 @@ void Foam::bodyKernel::update
 
     auto holds = [&](const label i)
     {
-        return mesh.pointInCell
+        return search.contains
         (
-            mesh.cellCentres()[cells[i]] - r[i],
             cells[i],
-            polyMesh::FACE_PLANES
+            mesh.cellCentres()[cells[i]] - r[i]
         );
     };
 
