@@ -7,7 +7,8 @@ import pytest
 
 from bodyCase import BodyCase
 from fallingGrain import falling_grain, limit, terminal_velocity
-from unresolvedBox import GRAINS, grain_box, momentum, velocities
+from periodicBox import superficial_speed
+from unresolvedBox import GRAINS, bed, grain_box, momentum, velocities
 
 
 def test_standard_drag_of_the_reference():
@@ -71,6 +72,17 @@ def test_drag_brings_grains_to_the_fluid(tmp_path):
         U = velocities(case, i)
         assert np.abs(U).max() < 1.2
         assert U[-1] == pytest.approx([1, 0, 0], abs=0.01)
+
+
+@pytest.mark.parametrize("phi, nu, number", [
+    (0.2, 0.5, 12), (0.4, 0.005, 12), (0.2, 0.5, 6),
+])
+def test_bed_has_the_pressure_gradient_of_its_drag_law(
+    phi, nu, number, tmp_path
+):
+    case = bed(tmp_path, phi, nu, number)
+    case.solve()
+    assert superficial_speed(case)[-1] == pytest.approx(1, abs=2e-3)
 
 
 @pytest.mark.parametrize("ranks, parts", [(2, (1, 1, 2)), (4, (2, 1, 2))])

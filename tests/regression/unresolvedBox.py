@@ -73,3 +73,37 @@ def momentum(case, grains=GRAINS):
         volume = 4/3*np.pi*radius**3
         total = total + (ratio - 1)*volume*velocities(case, i)
     return total
+
+
+def tenneti(Re, phi):
+    """Drag over that of Stokes, of Tenneti, Garg & Subramaniam (2011)."""
+    e = 1 - phi
+    return (
+        (1 + 0.15*Re**0.687 + 5.81*phi)/e**3 + 0.48*phi**(1/3)/e**4
+        + phi**3*Re*(0.95 + 0.61*phi**3/e**2)
+    )
+
+
+def bed(folder, phi, nu, number):
+    """A lattice of number^3 grains that are fixed, volume fraction phi, and the
+    force at which the superficial speed should be one."""
+    D = (6*phi/np.pi)**(1/3)/number
+    force = number**3*3*np.pi*nu*D*tenneti(D/nu, phi)
+    case = periodic_case(folder, "bed", 12, 3, force, by_force=True)
+    case.replace("constant/transportProperties", "0.5;", f"{nu};")
+    case.replace(
+        "system/fvSolution", "GAMG;\n        smoother        GaussSeidel",
+        "fastPoisson",
+    )
+    side = (np.arange(number) + 0.37)/number
+    lines = "\n".join(
+        f"({x:.9g} {y:.9g} {z:.9g})" for x in side for y in side for z in side
+    )
+    (case.path/"constant/grains").write_text(f"(\n{lines}\n)\n")
+    case.bodies(
+        f"grain {{ shape {{ type sphere; radius {D/2:.12g}; }}"
+        ' positionsFile "constant/grains"; motion { type fixed; } }',
+        "coupling { type unresolved; dragModel { type Tenneti; } }",
+    )
+    case.controls(endTime=0.3, deltaT=0.02)
+    return case

@@ -34,7 +34,7 @@ void Foam::bodyKernel::search
 {
     searchCentre_ = x;
     searchRadius_ = R;
-    searchMargin_ = 0.1*R;
+    searchMargin_ = 0.25*R;
 
     const scalar reach = R + searchMargin_;
 

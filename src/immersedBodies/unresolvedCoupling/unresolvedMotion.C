@@ -30,9 +30,10 @@ Foam::unresolvedMotion::unresolvedMotion
     const scalar own = V_*fluid.selfKernel();
     const scalar others = max(fluid.fraction() - own, 0);
 
-    // Packed as densely as spheres can be by chance, at most
-    phi_ = min(others/max(1 - own, 0.5), 0.64);
     alone_ = max(1 - others/own, 0);
+
+    // Packed as densely as spheres can be by chance, at most
+    phi_ = min(others + (1 - alone_)*own, 0.64);
 
     const tensor grad(fluid.gradient());
 
