@@ -14,6 +14,14 @@ def injector(entries):
     )
 
 
+def sensor(entries):
+    """Text with a sensor, and what it has to come before."""
+    return (
+        "functions\n{ sensor { type opticalSensor;"
+        f" libs (immersedBodyFunctionObjects); {entries} }}"
+    )
+
+
 # What is wrong: (file, text of the case, text instead, parts of the message)
 WRONG = {
     # Keywords
@@ -229,7 +237,8 @@ WRONG = {
     ),
     "injector without times": (
         FILE, "bodies\n", injector("position (0 0 0);"),
-        ["'seeds'", "exactly one of 'times' [s] and 'rate' [1/s]", FILE],
+        ["'seeds'", "exactly one of 'times' [s], 'rate' [1/s] and 'roller'",
+         FILE],
     ),
     "keyword of an injector": (
         FILE, "bodies\n", injector("position (0 0 0); rate 1; ends 2;"),
@@ -270,6 +279,50 @@ WRONG = {
         FILE, "bodies\n",
         "steady {} " + injector("rate 1; position (0 0 0);"),
         ["'steady'", "remove 'injection'", FILE],
+    ),
+
+    "interval of a roller's grains": (
+        FILE, "bodies\n", injector(
+            "position (0 0 0); intervals random; seed 1;"
+            " roller { revolutionsPerSecond 1; cells 10; }"
+        ),
+        ["'intervals' in 'seeds'", "'rate', which it does not have", FILE],
+    ),
+    "keyword of a roller": (
+        FILE, "bodies\n", injector(
+            "position (0 0 0); roller { revolutionPerSecond 1; cells 10; }"
+        ),
+        ["'revolutionPerSecond' in 'roller'",
+         "nearest valid one is 'revolutionsPerSecond'", FILE],
+    ),
+
+    # The sensor
+    "keyword of a sensor": (
+        "system/controlDict", "functions\n{", sensor("plane {}"),
+        ["'plane' in 'sensor'", "nearest valid one is 'planes'",
+         "system/controlDict"],
+    ),
+    "a plane without a normal": (
+        "system/controlDict", "functions\n{",
+        sensor("planes { one { point (0 0 0); } }"),
+        ["'normal'", "system/controlDict"],
+    ),
+    "a plane in one word": (
+        "system/controlDict", "functions\n{", sensor("planes { one (0 0 0); }"),
+        ["'one' in 'planes'", "'point' and 'normal'", "system/controlDict"],
+    ),
+    "a sensor that does not look at each step": (
+        "system/controlDict", "functions\n{",
+        sensor("executeInterval 2; planes {}"),
+        ["'executeInterval' in 'sensor'", "'timeStep' and 1",
+         "system/controlDict"],
+    ),
+    "outlets that are no planes": (
+        "system/controlDict", "functions\n{", sensor(
+            'outlets ("out.*"); planes { in1 { point (0 0 0);'
+            " normal (1 0 0); } }"
+        ),
+        ["'outlets' in 'sensor'", "(in1)", "system/controlDict"],
     ),
 
     # Other dictionaries

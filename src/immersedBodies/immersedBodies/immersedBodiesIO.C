@@ -96,7 +96,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         {
             "rho", "resistance", "coupling", "motion", "contact",
             "lubrication", "window", "steady", "leaving", "injection",
-            "bodies"
+            "bodies", "grains"
         }
     );
     wordList ofCoupling(unresolvedCoupling::keywords);

@@ -23,6 +23,12 @@ void erase(Foam::List<Type>& list, const Foam::label i)
 } // End anonymous namespace
 
 
+const Foam::UList<Foam::bodyDeparture>& Foam::immersedBodies::departed() const
+{
+    return passage_->departed();
+}
+
+
 Foam::autoPtr<Foam::immersedBody> Foam::immersedBodies::take
 (
     const label bodyi

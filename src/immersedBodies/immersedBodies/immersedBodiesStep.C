@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyPassage.H"
 #include "compat.H"
 #include "contactModel.H"
 #include "profiling.H"
@@ -15,6 +16,7 @@ Foam::scalar Foam::immersedBodies::stepRatio() const
 void Foam::immersedBodies::beginStep()
 {
     clock_ += mesh_.time().deltaTValue();
+    passage_->beginStep();
 
     for (immersedBody& body : bodies_)
     {

@@ -6,7 +6,7 @@
 
 const Foam::wordList Foam::injectionSchedule::keywords
 ({
-    "times", "rate", "intervals", "start", "end", "number", "seed"
+    "times", "rate", "roller", "intervals", "start", "end", "number", "seed"
 });
 
 
@@ -25,14 +25,23 @@ Foam::injectionSchedule::injectionSchedule(const dictionary& dict)
     end_(dict.lookupOrDefault<scalar>("end", GREAT)),
     number_(label(Foam::keywords::positiveOr(dict, "number", labelMax))),
     seed_(random_ ? dict.get<label>("seed") : 0),
+    roller_(dict.found("roller") ? new meteringRoller(dict) : nullptr),
     next_(0),
-    due_(0)
+    due_(0),
+    cell_(0),
+    inCell_(0)
 {
-    if (dict.found("times") == dict.found("rate"))
+    if (dict.found("times") + dict.found("rate") + dict.found("roller") != 1)
     {
         FatalIOErrorInFunction(dict)
-            << "'" << dict.dictName() << "' needs exactly one of 'times' [s]"
-            << " and 'rate' [1/s]" << nl << exit(FatalIOError);
+            << "'" << dict.dictName() << "' needs exactly one of 'times' [s],"
+            << " 'rate' [1/s] and 'roller'" << nl << exit(FatalIOError);
+    }
+    if (dict.found("intervals") && !dict.found("rate"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'intervals' in '" << dict.dictName() << "' are those of"
+            << " 'rate', which it does not have" << nl << exit(FatalIOError);
     }
 
     for (label i = 1; i < times_.size(); ++i)
@@ -46,12 +55,27 @@ Foam::injectionSchedule::injectionSchedule(const dictionary& dict)
         }
     }
 
+    skipEmptyCells();
     due_ = time(start_);
+}
+
+
+void Foam::injectionSchedule::skipEmptyCells()
+{
+    while (roller_.valid() && inCell_ >= roller_->nGrains(cell_))
+    {
+        ++cell_;
+        inCell_ = 0;
+    }
 }
 
 
 Foam::scalar Foam::injectionSchedule::time(const scalar last) const
 {
+    if (roller_.valid())
+    {
+        return start_ + roller_->times(cell_)[inCell_];
+    }
     if (rate_ == 0)
     {
         return next_ < times_.size() ? times_[next_] : GREAT;
@@ -77,6 +101,8 @@ Foam::scalar Foam::injectionSchedule::due() const
 void Foam::injectionSchedule::advance()
 {
     ++next_;
+    ++inCell_;
+    skipEmptyCells();
     due_ = time(due_);
 }
 
@@ -84,6 +110,12 @@ void Foam::injectionSchedule::advance()
 void Foam::injectionSchedule::readState(const dictionary& dict)
 {
     next_ = dict.get<label>("next");
+
+    if (roller_.valid())
+    {
+        cell_ = dict.get<label>("cell");
+        inCell_ = dict.get<label>("inCell");
+    }
 
     // Given times are those of the present file, which may have more
     due_ = random_ ? dict.get<scalar>("due") : time(start_);
@@ -94,4 +126,10 @@ void Foam::injectionSchedule::writeState(Ostream& os) const
 {
     os.writeEntry("next", next_);
     os.writeEntry("due", due_);
+
+    if (roller_.valid())
+    {
+        os.writeEntry("cell", cell_);
+        os.writeEntry("inCell", inCell_);
+    }
 }

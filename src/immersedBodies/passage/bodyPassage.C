@@ -206,6 +206,11 @@ void Foam::bodyPassage::take(autoPtr<immersedBody> body)
     const leavingRules::rule& rule =
         leaving_[mesh_.boundaryMesh().findPatchID(body->passing())];
 
+    departed_.append
+    (
+        bodyDeparture{body->number(), body->unwrapped(), body->state().U}
+    );
+
     if (rule.what == leavingRules::action::reinject)
     {
         body->enter

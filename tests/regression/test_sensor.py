@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The optical sensor on bodies whose passages are known exactly."""
+
+import math
+
+import numpy as np
+import pytest
+
+from bodyCase import BodyCase
+from boxMesh import uniform
+from openTube import DISC, DT, LENGTH, open_tube, passage
+from periodicTube import periodic_tube
+from sensorCase import add_sensor, passages, table
+
+# x = -2 + t + t^2, y = 0.5 - t/4
+ACCELERATED = """
+    shape { type disc; radius 0.2; }
+    motion
+    {
+        type        prescribed;
+        velocity    table ((0 (1 -0.25 0)) (10 (21 -0.25 0)));
+    }
+"""
+PLANES = """
+    first  { point (-1.9 0 0); normal (1 0 0); radius 1; }
+    second { point (-1.5 0.1 0); normal (1 0 0); radius 1; }
+    turned { point (-1.5 0.1 0); normal (-2 0 0); radius 0.35; }
+    askew  { point (-1 0 0); normal (1 1 0); axis (1 0 0); }
+"""
+
+
+@pytest.fixture(scope="module")
+def tube(tmp_path_factory):
+    case = BodyCase("tube", tmp_path_factory.mktemp("sensor"))
+    case.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
+    case.controls(endTime="0.9", deltaT="0.05", writePrecision="12")
+    return case
+
+
+def reaches(x):
+    """When the accelerated body is at x."""
+    return math.sqrt(0.25 + x + 2) - 0.5
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_passages_are_exact(ranks, tube, tmp_path):
+    case = BodyCase(tube, tmp_path)
+    case.bodies(f"""
+        ahead {{ {ACCELERATED} position (-2 0.5 0); }}
+        behind {{ {ACCELERATED} position (-2.45 -0.4 0); }}
+    """)
+    add_sensor(case, PLANES, "rate 4; nRadii 4;")
+    case.solve(ranks)
+
+    times = {
+        "first": (reaches(-1.9), reaches(-1.45)),
+        "second": (reaches(-1.5), reaches(-1.05)),
+        "turned": (reaches(-1.5), reaches(-1.05)),
+    }
+    rows = passages(case)
+    assert [r.time for r in rows] == sorted(r.time for r in rows)
+
+    for plane, normal, y0 in (
+        ("first", 1, 0), ("second", 1, 0.1), ("turned", -1, 0.1),
+    ):
+        found = passages(case, plane)
+        # The second body is further than the radius from the axis
+        n = 1 if plane == "turned" else 2
+        assert [r.name for r in found] == ["ahead", "behind"][:n]
+        assert [r.body for r in found] == [0, 1][:n]
+        t = np.array(times[plane][:n])
+        assert [r.time for r in found] == pytest.approx(t, abs=1e-12)
+        assert [r.direction for r in found] == n*[normal]
+        y = np.array([0.5, -0.4])[:n] - 0.25*t - y0
+        for r, ti, yi in zip(found, t, y):
+            assert r.velocity == pytest.approx([1 + 2*ti, -0.25, 0], abs=1e-12)
+            assert r.axial == pytest.approx(normal*(1 + 2*ti), abs=1e-12)
+            assert r.radius == pytest.approx(abs(yi), abs=1e-12)
+            assert r.angle == (0 if yi > 0 else 180)
+        assert math.isnan(found[0].interval)
+        assert math.isnan(found[0].spacing)
+        if n == 2:
+            assert found[1].interval == pytest.approx(t[1] - t[0], abs=1e-11)
+            assert found[1].spacing == pytest.approx(
+                (t[1] - t[0])*(1 + 2*t[1]), abs=1e-11
+            )
+
+    # x + 1 + y = 0: the roots of t^2 + 3/4 t - 1/2
+    askew = passages(case, "askew")[0]
+    assert askew.time == pytest.approx(
+        (-0.75 + math.sqrt(0.5625 + 2))/2, abs=1e-12
+    )
+    assert askew.axial == pytest.approx(1 + 2*askew.time, abs=1e-12)
+
+    # Statistics, at the end
+    summary = table(case, "0.9", "summary")
+    assert list(summary["name"]) == ["first", "second", "turned", "askew"]
+    assert list(summary["grains"][:3]) == [2, 2, 1]
+    assert list(summary["backward"][:3]) == [0, 0, 1]
+    assert summary["rate"][0] == pytest.approx(2/0.9)
+    interval = np.diff(times["first"])[0]
+    assert summary["meanInterval"][0] == pytest.approx(interval)
+    assert summary["misses"][0] == (interval*4 > 1.5)
+    assert summary["missRate"][0] == pytest.approx(
+        (interval*4 > 1.5)/0.9
+    )
+    radii = table(case, "0.9", "radii")
+    one = radii["plane"] == 0
+    assert list(radii["grains"][one]) == [0, 2, 0, 0]
+    # Of the mean of 2 in the area of 2 x 0.1
+    area = 2*0.25*0.1
+    assert radii["density"][one] == pytest.approx(radii["grains"][one]/area)
+    assert radii["densityOverMean"][one].mean() == pytest.approx(1)
+
+
+def test_a_comoving_window_sees_the_laboratory(tube, tmp_path):
+    case = BodyCase(tube, tmp_path)
+    case.bodies(
+        f"disc {{ {ACCELERATED} position (-2 0.5 0); }}",
+        "window { type comoving; direction (1 0 0); }",
+    )
+    add_sensor(case, PLANES)
+    log = case.solve()
+
+    assert "window: comoving" in log
+    motion = case.table("motion")
+    assert np.ptp(motion["windowPosition_x"]) < 0.01
+    assert [(r.plane, r.time) for r in passages(case)] == [
+        ("first", pytest.approx(reaches(-1.9), abs=1e-12)),
+        ("second", pytest.approx(reaches(-1.5), abs=1e-12)),
+        ("turned", pytest.approx(reaches(-1.5), abs=1e-12)),
+        ("askew", pytest.approx((-0.75 + math.sqrt(2.5625))/2, abs=1e-12)),
+    ]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_each_time_that_a_body_comes_round(ranks, tmp_path):
+    """The period is 2: no plane is passed twice, nor when it is wrapped."""
+    case = periodic_tube(tmp_path, "case", 10, speed=1)
+    case.bodies("""
+        disc
+        {
+            shape       { type disc; radius 0.2; }
+            position    (1.33 0.1 0);
+            motion      { type prescribed; velocity (-3 0 0); }
+        }
+    """)
+    add_sensor(case, """
+        ends   { point (0 0 0); normal (1 0 0); }
+        again  { point (2 0 0); normal (1 0 0); }
+        middle { point (0.7 0 0); normal (1 0 0); }
+    """)
+    case.controls(endTime="2", deltaT="0.04")
+    case.solve(ranks)
+
+    for plane, x in (("ends", 0), ("again", 0), ("middle", 0.7)):
+        expected = np.arange((1.33 - x)/3, 2, 2/3)
+        found = passages(case, plane)
+        assert [r.time for r in found] == pytest.approx(expected, abs=1e-9)
+        assert [r.radius for r in found] == pytest.approx(
+            len(found)*[0.1], abs=1e-9
+        )
+        assert {r.direction for r in found} == {-1}
+        assert {r.name for r in found} == {"disc"}
+
+
+def test_the_last_step_of_a_body_counts_and_a_leap_does_not(tmp_path):
+    """It is taken out in the step in which it has passed some of the planes,
+    and begins again upstream of all of them."""
+    planes = [LENGTH + 0.15 + 0.001*k for k in range(120)]
+    case = open_tube(tmp_path)
+    case.bodies(f"""
+        disc
+        {{
+            {DISC}
+            position    (3.6 0.3 0);
+            motion      {{ type prescribed; velocity (1.5 0 0); }}
+        }}
+    """, "leaving { outlet { type reinject; shift (-3 0 0); } }")
+    add_sensor(case, "upstream { point (2.5 0 0); normal (1 0 0); }" + "".join(
+        f"x{k} {{ point ({x} 0 0); normal (1 0 0); }}\n"
+        for k, x in enumerate(planes)
+    ))
+    case.controls(endTime="0.7")
+    case.solve()
+
+    leaves, enters = passage(case)
+    assert (leaves.what, enters.what) == ("leaves", "enters")
+    assert leaves.time == enters.time < 0.6
+    end = leaves.position[0]
+    before = end - 1.5*DT
+    assert sum(before < x < end for x in planes) > 5
+
+    rows = passages(case)
+    expected = [x for x in planes if x < end]
+    assert 5 < len(expected) < len(planes)
+    assert [r.time for r in rows] == pytest.approx(
+        [(x - 3.6)/1.5 for x in expected], abs=1e-9
+    )
+
+
+def prepare(tube, folder, name="case"):
+    """Fed by a roller, and put back to the inlet; light and outlets."""
+    case = BodyCase(tube, folder, name)
+    case.bodies("", f"""
+        injection
+        {{
+            seeds
+            {{
+                shape       {{ type disc; radius 0.15; }}
+                densityRatio 2;
+                positions   ((0.3 0.6 0) (0.3 0.1 0) (0.3 -0.4 0));
+                seed        2;
+                roller
+                {{
+                    revolutionsPerSecond 0.5;
+                    cells       10;
+                    jitter      0.4;
+                    misses      0.1;
+                    doubles     0.2;
+                }}
+            }}
+        }}
+        leaving {{ outlet {{ type remove; }} }}
+    """)
+    add_sensor(case, """
+        upper { point (0.7 0.5 0); normal (1 0 0); radius 0.5; }
+        lower { point (0.7 -0.5 0); normal (1 0 0); radius 0.5; rate 2; }
+        all   { point (0.9 0 0); normal (1 0 0); radius 1; }
+    """, """rate 4; outlets (upper lower); start 0.3;
+        light { thickness 0.1; resolution 0.05; }
+        writeControl writeTime;""")
+    case.controls(
+        writeControl="timeStep", writeInterval="50", writePrecision="17",
+        timePrecision="15", endTime="4",
+    )
+    return case
+
+
+@pytest.fixture(scope="module")
+def fed(tmp_path_factory):
+    return open_tube(tmp_path_factory.mktemp("fed"))
+
+
+def statistics(case, folder="."):
+    time = case.latest_time(folder)
+    file = case.path / folder / time / "uniform/opticalSensor.sensor"
+    return file.read_text().split("// * *", 1)[1]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_restart_is_exact(ranks, fed, tmp_path):
+    at_once = prepare(fed, tmp_path, "atOnce")
+    if ranks > 1:
+        # Along the tube: no body goes from one rank to the other
+        at_once.decompose(ranks, (1, 2, 1))
+    in_parts = BodyCase(at_once, tmp_path, "inParts")
+    folder = "processor0" if ranks > 1 else "."
+
+    at_once.solve(ranks)
+    times = at_once.times(folder)[1:]
+    assert len(times) == 4
+    for time in times:
+        in_parts.controls(endTime=time)
+        in_parts.solve(ranks)
+
+    assert statistics(in_parts, folder) == statistics(at_once, folder)
+    rows, parts = passages(at_once), passages(in_parts)
+    assert len(rows) > 15
+    for a, b in zip(rows, parts, strict=True):
+        assert a.time == pytest.approx(b.time, abs=1e-12)
+        assert (a.body, a.plane, a.signal) == (b.body, b.plane, b.signal)
+        assert a.interval == pytest.approx(b.interval, abs=1e-11, nan_ok=True)
+
+    # The names of times, sums of time steps, may differ in the last digit
+    at_once_end, end = times[-1], in_parts.latest_time(folder)
+
+    # All that there is to go wrong has been there
+    summary = table(at_once, at_once_end, "summary")
+    assert summary["doubles"][2] > 0
+    assert summary["misses"][2] > 0
+    for name in ("summary", "radii", "intervals", "outlets"):
+        a, b = table(at_once, at_once_end, name), table(in_parts, end, name)
+        for column in a:
+            if column != "name":
+                assert a[column] == pytest.approx(
+                    b[column], rel=1e-12, nan_ok=True
+                ), column
+
+
+def test_tables_are_those_of_the_passages(fed, tmp_path):
+    case = prepare(fed, tmp_path)
+    case.solve()
+    end = case.latest_time()
+    rows = [r for r in passages(case) if r.time >= 0.3]
+    summary = table(case, end, "summary")
+    intervals = table(case, end, "intervals")
+    outlets = table(case, end, "outlets")
+
+    for k, plane in enumerate(("upper", "lower", "all")):
+        mine = [r for r in rows if r.plane == plane]
+        # The first grain of each signal
+        seen = {r.signal: r.time for r in reversed(mine)}
+        times = np.array(sorted(seen.values()))
+        x = np.diff(times)*(2 if plane == "lower" else 4)
+        assert summary["grains"][k] == len(mine) > 3
+        assert summary["signals"][k] == len(seen)
+        assert summary["hidden"][k] == len(mine) - len(seen)
+        assert summary["multiples"][k] == sum(x <= 0.5)
+        assert summary["misses"][k] == sum(x > 1.5)
+        assert summary["variationOfInterval"][k] == pytest.approx(
+            x.std(ddof=1)/x.mean()
+        )
+        T = float(end) - 0.3
+        assert summary["duration"][k] == pytest.approx(T)
+        assert summary["doubleRate"][k] == pytest.approx(
+            summary["doubles"][k]/T
+        )
+        counted = intervals["plane"] == k
+        assert intervals["number"][counted] == pytest.approx(np.histogram(
+            x, np.append(0, np.append(np.arange(0.05, 3, 0.1), np.inf))
+        )[0])
+        speeds = [r.axial for r in mine]
+        assert summary["meanSpeed"][k] == pytest.approx(np.mean(speeds))
+        assert summary["deviationOfSpeed"][k] == pytest.approx(
+            np.std(speeds, ddof=1)
+        )
+
+    n = summary["grains"][:2]
+    assert outlets["share"] == pytest.approx(n/n.sum())
+    title = (
+        case.path / f"postProcessing/sensor/{end}/outlets.dat"
+    ).read_text().splitlines()[0]
+    assert float(title.split()[-1]) == pytest.approx(
+        n.std(ddof=1)/n.mean(), rel=1e-4
+    )
