@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the run: plots/{spacing,flow}.png"""
+"""Draws the run: plots/{spacing,flow,sensor*}.png"""
 
 import pathlib
 import sys
@@ -10,10 +10,10 @@ here = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(here.parents[1]/"plotting"))
 
+import animate
 import grainPlots as gp
+import sensorPlots
 from grainPlots import plt
-
-R = 0.1
 
 
 def intervals(times):
@@ -41,7 +41,7 @@ def spacing(entered, left, height):
     gp.save(figure, here/"plots/spacing.png")
 
 
-def flow(grains):
+def flow(grains, shapes):
     """Axial velocity at three times."""
     times = gp.planeTimes(here)
     frames = [times[len(times)*k//10] for k in (2, 5, 8)]
@@ -53,11 +53,14 @@ def flow(grains):
         u = gp.resample(points, U[:, 0], x, y)
         image = gp.drawField(ax, x, y, u, limit=(0, 1.6), cmap="viridis")
 
-        for grain in grains.values():
+        for name, grain in grains.items():
             state = gp.at(grain, time)
             if abs(state["time"] - float(time)) < 1e-6:
-                gp.drawGrain(ax, (state["position_x"], state["position_y"]),
-                             R, gp.angle(state), linewidth=0.8)
+                corners = animate.hull(shapes[name][:, :2])
+                x0, y0 = state["position_x"], state["position_y"]
+                ax.fill(x0 + corners[:, 0], y0 + corners[:, 1],
+                        facecolor="0.93", edgecolor="k", linewidth=0.8,
+                        zorder=5)
         ax.set(xlim=(0, 4), ylim=(-1, 1), ylabel="y [m]", title=f"t = {time} s")
 
     axes[-1].set_xlabel("x [m]")
@@ -71,7 +74,9 @@ height = {e["name"]: e["position_y"] for e in events if e["what"] == "enters"}
 left = {e["name"]: e["time"] for e in events if e["what"] == "leaves"}
 
 spacing(entered, left, height)
-flow(gp.readMotion(here))
+grains, numbers = animate.readGrains(here)
+flow(grains, animate.readShapes(here, grains, numbers))
+sensorPlots.drawAll(here)
 
 for times, where in ((entered, "inlet"), (left, "outlet")):
     dt = intervals(times)
