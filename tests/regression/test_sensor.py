@@ -120,6 +120,47 @@ def test_passages_are_exact(ranks, tube, tmp_path):
     assert radii["densityOverMean"][one].mean() == pytest.approx(1)
 
 
+def test_tubes_in_any_direction(tmp_path):
+    """A sphere that goes straight along (1 2 2)/3 in 3D, 0.1 beside the axis
+    of a tube; one plane across it, one askew, one with another tube's axis."""
+    along, across = np.array([1, 2, 2])/3, np.array([2, 1, -2])/3
+    start = -0.4*along + 0.1*across
+    case = BodyCase("box", tmp_path)
+    case.mesh(*3*[uniform(-1, 1, 20)])
+    case.bodies(f"""
+        sphere
+        {{
+            shape       {{ type sphere; radius 0.25; }}
+            position    ({" ".join(map(repr, start.tolist()))});
+            motion      {{ type prescribed; velocity (1 2 2); }}
+        }}
+    """)
+    tube = "axis (1 2 2); centre (0 0 0); zeroAngle (2 1 -2);"
+    add_sensor(case, f"""
+        straight {{ point (0 0 0); normal (1 2 2); {tube} radius 0.2; }}
+        turned   {{ point (0 0 0); normal (1 2 2); {tube}
+                    zeroAngle (2 -2 1); }}
+        askew    {{ point (0 0 0); normal (0 0 1); {tube} }}
+        beside   {{ point (0 0 0); normal (1 2 2); centre (1 -1 0.5);
+                    radius 0.5; }}
+    """)
+    case.controls(endTime="0.3", deltaT="0.03")
+    case.solve()
+
+    rows = {r.plane: r for r in passages(case)}
+    assert sorted(rows) == ["askew", "straight", "turned"]
+    for plane, time, angle in (
+        ("straight", 0.4/3, 0), ("turned", 0.4/3, 90),
+        ("askew", -start[2]/2, 0),
+    ):
+        r = rows[plane]
+        assert r.time == pytest.approx(time, abs=1e-12)
+        assert r.radius == pytest.approx(0.1, abs=1e-12)
+        assert abs(r.angle) == pytest.approx(angle, abs=1e-6)
+        assert r.axial == pytest.approx(3, abs=1e-12)
+        assert r.velocity == pytest.approx([1, 2, 2], abs=1e-12)
+
+
 def test_a_comoving_window_sees_the_laboratory(tube, tmp_path):
     case = BodyCase(tube, tmp_path)
     case.bodies(

@@ -44,28 +44,28 @@ PICTURES = """functions
 
 
 def prepare(tube, folder, name="case"):
-    """Fed by a roller, and put back to the inlet; light and outlets."""
+    """Fed by a roller, with a light and outlets."""
     case = BodyCase(tube, folder, name)
-    case.bodies("", f"""
+    case.bodies("", """
         injection
-        {{
+        {
             seeds
-            {{
-                shape       {{ type disc; radius 0.15; }}
+            {
+                shape       { type disc; radius 0.15; }
                 densityRatio 2;
                 positions   ((0.3 0.6 0) (0.3 0.1 0) (0.3 -0.4 0));
                 seed        2;
                 roller
-                {{
+                {
                     revolutionsPerSecond 0.5;
                     cells       10;
                     jitter      0.4;
                     misses      0.1;
                     doubles     0.2;
-                }}
-            }}
-        }}
-        leaving {{ outlet {{ type remove; }} }}
+                }
+            }
+        }
+        leaving { outlet { type remove; } }
     """)
     add_sensor(case, """
         upper { point (0.7 0.5 0); normal (1 0 0); radius 0.5; }

@@ -164,13 +164,14 @@ def extentOf(grains, shapes, axes):
 def drawFrame(file, time, grains, shapes, plane, extent, axes, label):
     spans = [high - low for low, high in extent]
     width = 9 if spans[0] >= spans[1] else 4.5
-    height = min(9, max(2.2, width*spans[1]/spans[0] + 1.3))
+    height = min(9, max(2.4, width*spans[1]/spans[0] + 1.5))
     figure, ax = plt.subplots(figsize=(width, height), dpi=100)
 
     if plane.times:
         image = gp.drawField(ax, *plane.grid, plane.at(time), plane.limit,
                              cmap="viridis")
-        figure.colorbar(image, ax=ax, label=label, shrink=0.85)
+        figure.colorbar(image, ax=ax, label=label, aspect=40, shrink=0.7,
+                        location="bottom" if width > 5 else "right")
     ax.set_aspect("equal")
 
     for name, grain in grains.items():
