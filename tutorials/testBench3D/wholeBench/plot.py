@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the run: plots/{shares,flow}.png"""
+
+import pathlib
+import sys
+
+here = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(here.parent/"common"))
+
+import benchPlots as bp
+from friction import benchValues, blasius
+from shares import drawPlanes, drawShares, report, shares
+
+bench, values = bp.parameters(here), benchValues(here)
+tubes, cases = bench["outletTubes"], {"whole bench": here}
+
+
+def pressures():
+    """Mean pressure in the feed pipe, and the friction of straight tubes with
+    the mean flow of the open ones, by Blasius [Pa]."""
+    share, total = shares(here)
+    D, rho = tubes["diameter"], values["rho"]
+    U = total/(share > 0).sum()/(0.25*3.14159265*D**2)
+    friction = blasius(U*D/values["nu"])*tubes["length"]/D*0.5*rho*U**2
+    return rho*bp.mean(here, "feedPipe", 0.4), friction, U, U*D/values["nu"]
+
+
+drawShares(cases, here/"plots/shares.png")
+drawPlanes(cases, here/"plots/flow.png", reach=0.5)
+print(report("whole bench", here))
+print("Pressure in the feed pipe {:.0f} Pa, friction of the tubes by Blasius "
+      "{:.0f} Pa; mean velocity in the tubes {:.2f} m/s, Re {:.0f}".format(
+          *pressures()))
