@@ -31,24 +31,22 @@ def benchValues(case="."):
 
 
 def gradients(log):
-    """Pressure gradients over density [m/s2] of a log of foamRun, one per step,
-    after the last pressure correction of meanVelocityForce."""
-    found = {}
-    for time, block in re.findall(r"\nTime = (\S+)\n(.*?)ExecutionTime", log,
-                                  re.DOTALL):
-        values = re.findall(r"pressure gradient = (\S+)", block)
-        if values:
-            found[float(time)] = float(values[-1])
-    return found
+    """Pressure gradient over density [m/s2] of each time step of a log of
+    foamRun, after the last pressure correction of meanVelocityForce."""
+    steps = re.split(r"\nTime = ", log)[1:]
+    found = (re.findall(r"pressure gradient = (\S+)", step) for step in steps)
+    return [float(values[-1]) for values in found if values]
 
 
-def periodicFriction(case="."):
-    """Re and f of a run with meanVelocityForce, at its end."""
+def periodicFriction(case=".", part=0.0):
+    """Re, f and Ks/D of a run with meanVelocityForce: at its end, or the mean of
+    its last part."""
     values = benchValues(case)
     U, D = values["meanVelocity"], values["diameter"]
-    log = (pathlib.Path(case)/"log.foamRun").read_text()
-    gradient = [*gradients(log).values()][-1]
-    return U*D/values["nu"], 2*D*gradient/U**2, values["Ks"]/D
+    all_ = gradients((pathlib.Path(case)/"log.foamRun").read_text())
+    late = all_[min(len(all_) - 1, round((1 - part)*len(all_))):]
+    f = 2*D*sum(late)/len(late)/U**2
+    return U*D/values["nu"], f, values["Ks"]/D
 
 
 def report(Re, f, roughness):
