@@ -34,7 +34,7 @@ class BenchCase(FoamCase):
         shutil.copytree(BENCH/"common/0.orig", self.path/"0")
         for file in self.path.glob("0.orig/*"):
             shutil.copy(file, self.path/"0")
-        self.make_mesh(piece.removesuffix("LES"), changes)
+        self.make_mesh(piece, changes)
 
     def make_mesh(self, piece, changes):
         done = subprocess.run(

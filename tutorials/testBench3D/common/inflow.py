@@ -30,4 +30,5 @@ def main():
     writeList(target/"points", section.centres*(1, 1, 0))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -73,4 +73,5 @@ def main():
     print(f"Wrote {piece}.msh: {count} cells")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -80,9 +80,20 @@ def periodicTube(bench):
     tube, path = bench["periodicTube"], upwards()
     path.line(tube["length"], tube["cells"])
     mesh, flow = oneTube(bench, "periodicTube", path)
-    flow["planes"] = [("section", (0, 0, 0.5*tube["length"]/tube["cells"]),
-                       (0, 0, 1), tube["diameter"])]
+    first = (0, 0, 0.5*tube["length"]/tube["cells"])
+    flow["planes"] = [
+        ("section", first, (0, 0, 1), tube["diameter"]),
+        ("along", (0, 0, 0.5*tube["length"]), (0, 1, 0), 10)]
     return mesh, flow
+
+
+def periodicTubeLES(bench):
+    """With a section and a velocity of its own."""
+    own = bench["periodicTubeLES"]
+    section = {name: own[name] for name in ("across", "rings", "wallLayer")}
+    return periodicTube({
+        **bench, "periodicTube": own, "mesh": {**bench["mesh"], **section},
+        "air": {**bench["air"], "tubeVelocity": own["velocity"]}})
 
 
 def addBend(path, radius, angle, towards, size):
@@ -141,7 +152,7 @@ def headWithTubes(bench, addTube):
         raise SystemExit(f"head: outlet {head['blocked']} cannot be blocked, "
                          f"there are {head['outlets']}")
     section = tubeSection(bench)
-    size = 2*0.5*tubes["diameter"]/section.n
+    size = tubes["diameter"]/section.n
     shape = Head(pipe["diameter"]/2, head["diameter"]/2, head["height"],
                  head["outlets"], tubes["diameter"]/2, head["outletHeight"],
                  section, size)
@@ -160,13 +171,15 @@ def headWithTubes(bench, addTube):
         if number + 1 != head["blocked"]:
             mesh.addPatch(f"outlet{number + 1}", last)
 
-    axis = (0, 0, head["outletHeight"])
+    axis = np.array([0, 0, head["outletHeight"]])
+    # Planes through nodes would miss cells
+    beside = axis + (0, 1e-4, 1e-4)
     return mesh, {
         "meanVelocity": bench["air"]["feedVelocity"],
         "diameter": pipe["diameter"],
         "outlets": [name for name in mesh.patches if name != "fanInlet"],
-        "planes": [("vertical", axis, (0, 1, 0), 10),
-                   ("horizontal", axis, (0, 0, 1), 10)],
+        "planes": [("vertical", beside, (0, 1, 0), 10),
+                   ("horizontal", beside, (0, 0, 1), 10)],
         "stations": [("feedPipe", (0, 0, -0.5*pipe["length"]), (0, 0, 1),
                       pipe["diameter"])],
     }
@@ -196,4 +209,5 @@ def wholeBench(bench):
 
 
 PIECES = {f.__name__: f for f in (
-    measuringTube, periodicTube, bend, distributionHead, wholeBench)}
+    measuringTube, periodicTube, periodicTubeLES, bend, distributionHead,
+    wholeBench)}

@@ -85,7 +85,7 @@ planes
             format          ascii;
         }}
     }}
-    fields          (U p k omega);
+    fields          (U p k omega UMean UPrime2Mean);
     interpolationScheme cell;
     surfaces
     (
