@@ -26,13 +26,14 @@ def volume(log):
     return float(re.search(r"Total volume = (\S+)\.\s", log)[1])
 
 
-@pytest.mark.parametrize("changes", [
-    ["head.blocked=3"],
-    ["head.outlets=17", "outletTubes.diameter=0.03"],
-    ["head.outlets=20", "outletTubes.diameter=0.03", "mesh.resolution=1.5"],
+@pytest.mark.parametrize("piece, changes", [
+    ("distributionHead", ["head.blocked=3"]),
+    ("distributionHead", ["head.outlets=17", "outletTubes.diameter=0.03"]),
+    ("wholeBench", ["head.outlets=20", "outletTubes.diameter=0.03",
+                    "outletTubes.length=0.1", "outletTubes.bendAngle=90"]),
 ])
-def test_head_has_a_sound_mesh(tmp_path, changes):
-    case = BenchCase("distributionHead", tmp_path, changes)
+def test_head_has_a_sound_mesh(tmp_path, piece, changes):
+    case = BenchCase(piece, tmp_path, ["feedPipe.length=0.1", *changes])
     log = case.check_mesh()
     outlets = dict(c.split("=") for c in changes).get("head.outlets", 12)
     assert "Mesh OK" in log
@@ -83,7 +84,8 @@ def test_Colebrook_is_solved():
     ("heads.outlets=12", "did you mean head?"),
     ("head.outlets=12.5", "a whole number is wanted"),
     ("head.outlets=40", "do not fit"),
-    ("head.blocked=13", "there are 12"),
+    ("head.blocked=13", "none of the 12 outlets"),
+    ("mesh.wallLayer=0.3", "at most"),
     ("head.height=-0.06", "must be positive"),
     ("outlets", "SECTION.NAME=VALUE is wanted"),
 ])

@@ -48,10 +48,10 @@ def lossCoefficient(before, after, f):
     dynamic = 0.5*rho*U**2
     slope = f/D*dynamic
     s, p = before
-    far = s <= tube["lengthBefore"] - 2*D
+    far = s <= max(tube["lengthBefore"] - 2*D, s[0])
     start = (p - slope*(tube["lengthBefore"] - s))[far].mean()
     s, p = after
-    far = s >= 10*D
+    far = s >= min(10*D, s[-1])
     end = (p + slope*s)[far].mean()
     return (start - end)/dynamic, start, end, slope
 
@@ -78,14 +78,14 @@ def flow():
     plane = bp.Plane(here, "along")
     image = bp.drawPlane(ax, [corners[:, [0, 2]] for corners in plane.polygons],
                          np.linalg.norm(plane.fields["U"], axis=1), (0, 1.5*U))
-    ax.set(xlabel="x [m]", ylabel="z [m]", title="Speed in the plane of the bend")
+    ax.set(xlabel="x [m]", ylabel="z [m]",
+           title="Speed in the plane of the bend")
     figure.colorbar(image, ax=ax, label="[m/s]", shrink=0.8)
     gp.save(figure, here/"plots/flow.png")
 
 
 def sections():
-    """Velocity in sections, looking downstream; the outer side of the bend is on
-    the left."""
+    """Velocity in sections; the outer side of the bend is on the left."""
     planes = [p for p in sampled["planes"] if p[0] != "along"]
     names = ["one diameter before", "middle of the bend", "its end",
              "2 diameters behind", "10 diameters behind"]

@@ -69,6 +69,7 @@ def readBench(changes=(), file=FILE):
         for name, text in entries.items():
             values = [number(name, word) for word in text.split()]
             if name not in LISTS and len(values) != 1:
-                raise BenchError(f"{FILE}: {name} = {text}: one value is wanted")
+                raise BenchError(
+                    f"{FILE}: {name} = {text}: one value is wanted")
             bench[section][name] = values if name in LISTS else values[0]
     return bench

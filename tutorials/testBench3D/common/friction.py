@@ -39,8 +39,8 @@ def gradients(log):
 
 
 def periodicFriction(case=".", part=0.0):
-    """Re, f and Ks/D of a run with meanVelocityForce: at its end, or the mean of
-    its last part."""
+    """Re, f and Ks/D of a run with meanVelocityForce: at its end, or the mean
+    of its last part."""
     values = benchValues(case)
     U, D = values["meanVelocity"], values["diameter"]
     all_ = gradients((pathlib.Path(case)/"log.foamRun").read_text())

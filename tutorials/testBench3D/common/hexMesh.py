@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of hexahedra, put together from blocks that share nodes, and written in
-Gmsh's format (MSH 2.2) for gmshToFoam.
+"""Meshes of hexahedra, put together from blocks that share nodes, and written
+in Gmsh's format (MSH 2.2) for gmshToFoam.
 
     mesh = HexMesh()
     layer = mesh.addPoints(xyz)               # indices of points, any shape

@@ -27,6 +27,8 @@ def cells(length, size):
 def tubeSection(bench):
     mesh = bench["mesh"]
     fine = mesh["resolution"]
+    if mesh["wallLayer"] > 0.2:
+        raise ValueError("mesh.wallLayer: 0.2 diameters at most")
     return Section(max(2, round(fine*mesh["across"])),
                    1 + max(1, round(fine*mesh["rings"])), 2*mesh["wallLayer"])
 
@@ -65,6 +67,9 @@ def measuringTube(bench):
     mesh, flow = oneTube(bench, "measuringTube", path)
 
     up, reach = (0, 0, 1), 2*tube["diameter"]
+    if not all(0 < z < length for z in tube["sensorPlanes"]):
+        raise ValueError(f"measuringTube.sensorPlanes: not all in its length, "
+                         f"{length} m")
     stations = centres(
         length*(np.arange(STATIONS) + 0.5)/STATIONS, length, n)
     flow["distances"] = {"pressure": stations}
@@ -149,8 +154,8 @@ def headWithTubes(bench, addTube):
     but the first, short one. The blocked one ends in a wall."""
     pipe, head, tubes = bench["feedPipe"], bench["head"], bench["outletTubes"]
     if head["blocked"] > head["outlets"]:
-        raise SystemExit(f"head: outlet {head['blocked']} cannot be blocked, "
-                         f"there are {head['outlets']}")
+        raise ValueError(f"head.blocked: {head['blocked']} is none of the "
+                         f"{head['outlets']} outlets")
     section = tubeSection(bench)
     size = tubes["diameter"]/section.n
     shape = Head(pipe["diameter"]/2, head["diameter"]/2, head["height"],

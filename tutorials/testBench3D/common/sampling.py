@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Function objects of a piece: mean pressure at stations, fields on planes, flow
-rates of outlets."""
+"""Function objects of a piece: mean pressure at stations, fields on planes,
+flow rates of outlets."""
 
 EVERY = "writeControl    timeStep;\n    writeInterval   5;"
 

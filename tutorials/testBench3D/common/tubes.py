@@ -10,14 +10,14 @@
 
 import numpy as np
 
-# The middle of a section is the image of this part of the square; its mean radius
+# The middle of a section is the image of this part of the square; mean radius
 CORE, CORE_RADIUS = 0.6, 0.57
 
 
 def squareToDisc(u, v):
     """Unit disc from the square |u|, |v| <= 1. Squares about the middle become
-    rounder outwards, until the outermost is the circle; equal steps along a side
-    of the square are equal angles on the circle."""
+    rounder outwards, until the outermost is the circle; equal steps along a
+    side of the square are equal angles on the circle."""
     rho = np.maximum(np.abs(u), np.abs(v))
     safe = np.where(rho == 0, 1, rho)
     p, q = u/safe, v/safe
@@ -89,7 +89,7 @@ def unit(vector):
 
 
 class Path:
-    """Frames (position, side, up) along a tube; side and up span its section."""
+    """Frames (position, side, up) along a tube; side and up span a section."""
 
     def __init__(self, start, tangent, side):
         self.tangent, side = unit(tangent), unit(side)
@@ -104,12 +104,13 @@ class Path:
             self.frames.append((position + s*self.tangent, side, up))
 
     def bend(self, radius, angle, towards, n):
-        """Turn by the angle [degrees] on a circle about the point `radius` away,
-        in the direction `towards`."""
+        """Turn by the angle [degrees] on a circle about the point that is
+        `radius` away in the direction `towards`."""
         position, side, up = self.frames[-1]
         towards = np.asarray(towards, dtype=float)
         towards = unit(towards - towards @ self.tangent*self.tangent)
-        centre, axis = position + radius*towards, np.cross(self.tangent, towards)
+        centre = position + radius*towards
+        axis = np.cross(self.tangent, towards)
         self.length += radius*np.radians(angle)
 
         def turned(vector, a):

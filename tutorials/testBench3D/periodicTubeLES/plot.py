@@ -57,7 +57,8 @@ def profile():
         y = D/2 - np.hypot(plane.centres[:, 0], plane.centres[:, 1])
         wall = y*shear/values["nu"]
         mean = plane.fields["UMean"][:, 2]/shear
-        rms = np.sqrt(plane.fields["UPrime2Mean"][:, 5])/shear
+        # In the order of VTK: xx yy zz ...
+        rms = np.sqrt(plane.fields["UPrime2Mean"][:, 2])/shear
         ax.plot(wall, mean, "C0.", markersize=3,
                 label="mean" if name == "along" else None)
         ax.plot(wall, rms, "C1.", markersize=3,
