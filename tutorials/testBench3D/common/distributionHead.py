@@ -8,20 +8,19 @@ cells deep is taken out. A smaller box of as many cells, which continues the
 middle of the tube's section, is put in its place, and a shell of cells between
 the two, which continues the rings of the tube's section:
 
-    from above      wall of the head
-                ----+--+-----+--+----
-                    |  |     |  |
-                    |  +-----+  |
-                    | /       \\ |
-                ----+-----------+----
-                      to the axis
+    from above     wall of the head
+               ----+---+-----+---+----
+                   |   |     |   |
+                   |   +-----+   |
+                   |  /       \\  |
+               ----+-------------+----
+                     to the axis
 """
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
-
 
 from tubes import CORE, Section, outline, squareToDisc
 

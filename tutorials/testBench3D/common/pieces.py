@@ -4,8 +4,8 @@
     mesh, flow = PIECES["bend"](bench)
 
 flow: mean velocity and diameter at the inlet; stations, where the mean pressure
-is wanted, and planes for pictures, (name, point, normal, reach) each; outlets.
-Tubes begin at the origin and go up, z.
+is wanted, and planes for pictures, (name, point, normal, reach) each, with the
+names of fields; outlets. Tubes begin at the origin and go up, z.
 """
 
 import math
@@ -96,9 +96,11 @@ def periodicTubeLES(bench):
     """With a section and a velocity of its own."""
     own = bench["periodicTubeLES"]
     section = {name: own[name] for name in ("across", "rings", "wallLayer")}
-    return periodicTube({
+    mesh, flow = periodicTube({
         **bench, "periodicTube": own, "mesh": {**bench["mesh"], **section},
         "air": {**bench["air"], "tubeVelocity": own["velocity"]}})
+    flow["fields"] = "U p UMean UPrime2Mean"
+    return mesh, flow
 
 
 def addBend(path, radius, angle, towards, size):

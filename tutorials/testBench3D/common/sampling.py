@@ -64,7 +64,7 @@ def flowRate(patch):
 """
 
 
-def pictures(planes):
+def pictures(planes, fields):
     """Fields on planes [(name, point, normal, reach)], cell by cell."""
     surfaces = "\n".join(f"""        {name}
         {{
@@ -85,7 +85,7 @@ planes
             format          ascii;
         }}
     }}
-    fields          (U p k omega UMean UPrime2Mean);
+    fields          ({fields});
     interpolationScheme cell;
     surfaces
     (
@@ -101,5 +101,6 @@ def functionObjects(flow):
     text += [station(*entry) for entry in flow.get("stations", ())]
     text += [flowRate(patch) for patch in flow.get("outlets", ())]
     if flow.get("planes"):
-        text.append(pictures(flow["planes"]))
+        text.append(pictures(flow["planes"],
+                             flow.get("fields", "U p k omega")))
     return "".join(text)
