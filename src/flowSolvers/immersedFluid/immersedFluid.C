@@ -103,7 +103,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         << (stokes_ ? "convection, " : "")
         << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
         << (bodies_->contact() ? "" : "contact, ")
-        << "lubrication" << nl << endl;
+        << (bodies_->lubrication() ? "" : "lubrication") << nl << endl;
 }
 
 

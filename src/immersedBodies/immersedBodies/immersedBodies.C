@@ -87,7 +87,20 @@ Foam::immersedBodies::immersedBodies
     passage_(new bodyPassage(dict_, space_, mesh, rho_, bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
-    contact_(contactModel::New(dict.subOrEmptyDict("contact"), rho_)),
+    lubrication_
+    (
+        lubricationModel::New
+        (
+            dict.subOrEmptyDict("lubrication"), space_, readNu(mesh)
+        )
+    ),
+    contact_
+    (
+        contactModel::New
+        (
+            dict.subOrEmptyDict("contact"), rho_, lubrication_()
+        )
+    ),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
     region_

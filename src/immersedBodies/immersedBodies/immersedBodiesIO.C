@@ -5,7 +5,6 @@
 #include "checkKeywords.H"
 #include "contactModel.H"
 #include "unresolvedCoupling.H"
-#include "uniformDimensionedFields.H"
 
 Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
 (
@@ -38,56 +37,6 @@ Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
 }
 
 
-Foam::scalar Foam::immersedBodies::readRho
-(
-    const dictionary& dict,
-    const fvMesh& mesh
-)
-{
-    if (dict.found("rho"))
-    {
-        return keywords::positive(dict, "rho");
-    }
-
-    const IOdictionary transport
-    (
-        IOobject
-        (
-            "transportProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-
-    return transport.found("rho")
-      ? dimensionedScalar("rho", dimDensity, transport).value()
-      : -1;
-}
-
-
-Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
-{
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        ),
-        dimensionedVector(dimAcceleration, Zero)
-    );
-
-    return g.value();
-}
-
-
 const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
 {
     keywords::check
@@ -113,7 +62,6 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     };
 
     onlyChoice("motion", "matching");
-    onlyChoice("lubrication", "none");
 
     return dict;
 }
@@ -210,6 +158,13 @@ void Foam::immersedBodies::report(Ostream& os) const
     {
         os  << "    contact: ";
         contact_->report(os);
+        os  << nl;
+    }
+
+    if (lubrication_->active())
+    {
+        os  << "    lubrication: ";
+        lubrication_->report(os);
         os  << nl;
     }
 

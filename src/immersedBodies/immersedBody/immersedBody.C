@@ -27,6 +27,7 @@ Foam::immersedBody::immersedBody
     ambientU_(false),
     ambientOmega_(false),
     wrapped_(Zero),
+    addedMass_(0),
     contactForce_{Zero, Zero},
     ddtMomentum_{Zero, Zero}
 {

@@ -4,7 +4,7 @@
 
 Foam::vector Foam::immersedBody::inverseMass() const
 {
-    return isFree() ? freeU_/(densityRatio_*volume()) : vector::zero;
+    return isFree() ? freeU_/((densityRatio_ + addedMass_)*volume()) : vector::zero;
 }
 
 
@@ -77,6 +77,9 @@ Foam::rigidMomentum Foam::immersedBody::contactTerm
     const vector dU(ddt.c*contactU_ - ddt.c00*oldContactU_);
     const vector dOmega(ddt.c*contactOmega_ - ddt.c00*oldContactOmega_);
 
-    return densityRatio_
-       *rigidMomentum{volume()*dU, inertia(state_) & dOmega};
+    return rigidMomentum
+    {
+        (densityRatio_ + addedMass_)*volume()*dU,
+        densityRatio_*(inertia(state_) & dOmega)
+    };
 }

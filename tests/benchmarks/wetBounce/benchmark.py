@@ -13,7 +13,9 @@ from measure import Run, set_viscosity
 RATIO, DRY = 8, 0.97
 STOKES = (27, 50, 152)
 START, HEIGHT, WIDTH = 5, 9, 6
-GAP = 0.25
+# Over D: gaps at which the speed is taken, of the impact and of the rebound
+GAP, REBOUND = 0.25, 0.05
+FILM = "leadingOrder; roughness 1e-4;"
 
 U = """
     wallBelow { type noSlip; }
@@ -48,7 +50,7 @@ def gravity(reynolds):
     return -0.75*drag/(RATIO - 1)
 
 
-def make_case(folder, name, stokes, cells, courant, contact):
+def make_case(folder, name, stokes, cells, courant, contact, film):
     """The case, and its number of cells."""
     h, reynolds = 1/cells, 9*stokes/RATIO
     case = BodyCase("tube", folder, f"{name}_D{cells}".replace(" ", "_"))
@@ -75,39 +77,41 @@ def make_case(folder, name, stokes, cells, courant, contact):
             position    ({START} 0 0);
             velocity    (-1 0 0);
         }}
-    """, f"contact {{ type softSphere; restitution {DRY}; {contact} }}")
+    """, f"contact {{ type softSphere; restitution {DRY}; {contact} }}"
+        f" lubrication {{ type {film} }}")
     case.controls(endTime=START + 3, deltaT=f"{courant*h:.6g}")
     return case, n
 
 
-def bounce(folder, name, stokes, cells, courant=0.3, contact=""):
+def bounce(folder, name, stokes, cells, courant=0.3, contact="",
+           film=FILM):
     """Rows of one fall."""
-    case, n = make_case(folder, name, stokes, cells, courant, contact)
+    case, n = make_case(folder, name, stokes, cells, courant, contact, film)
     run = Run(case, name, cells, n, may_fail=True)
     if run.failed:
         return [run.diverged()]
 
-    motion, forces = case.table("motion"), case.table("forces")
-    touched = np.flatnonzero(forces["contactForce_x"] > 0)
-    if not len(touched):
-        return [run.row("no contact: smallest gap over D",
-                        motion["position_x"].min() - 0.5)]
+    motion = case.table("motion")
     x, u = motion["position_x"] - 0.5, motion["velocity_x"]
-    down, up = slice(None, touched[0]), slice(touched[0], None)
+    turn = np.flatnonzero(u > 0)
+    if not len(turn):
+        return [run.row("no bounce: smallest gap over D", x.min())]
+    down, up = slice(None, turn[0]), slice(turn[0] - 1, None)
 
     # Before the wall slows it down
     impact = -u[down][x[down] > GAP][-1]
     reached = stokes*impact
     expected = math.exp(-35/reached)
-    leaves = u[up][x[up] > GAP]
-    found = [
-        run.row("St", reached),
-        run.row("e/e_dry, fastest", u[up].max()/impact/DRY, expected),
-    ]
-    if len(leaves):
-        found.append(run.row(
-            "e/e_dry, same gap", leaves[0]/impact/DRY, expected
-        ))
+    found = [run.row("St", reached)]
+    for gap in (REBOUND, GAP):
+        beyond = np.flatnonzero(x[up] > gap)
+        if len(beyond):
+            i = turn[0] - 1 + beyond[0]
+            leaves = np.interp(gap, x[i - 1:i + 1], u[i - 1:i + 1])
+            found.append(run.row(
+                f"e/e_dry, at {gap} D", leaves/impact/DRY, expected
+            ))
+    found.append(run.row("rebound over D", x[up].max()))
     return found
 
 
@@ -116,7 +120,15 @@ def rows(folder, quick):
         yield from bounce(folder, f"St {stokes}", stokes, 8)
     if quick:
         return
-    stokes = STOKES[-1]
+    for stokes in STOKES:
+        yield from bounce(
+            folder, f"St {stokes}, roughness 1e-3", stokes, 8,
+            film="leadingOrder;"
+        )
+        yield from bounce(
+            folder, f"St {stokes}, no lubrication", stokes, 8, film="none;"
+        )
+    stokes = STOKES[1]
     yield from bounce(folder, f"St {stokes}", stokes, 12)
     yield from bounce(
         folder, f"St {stokes}, half the time step", stokes, 8, courant=0.15

@@ -13,7 +13,8 @@ namespace Foam
 Foam::autoPtr<Foam::contactModel> Foam::contactModel::New
 (
     const dictionary& dict,
-    const scalar rho
+    const scalar rho,
+    const lubricationModel& lubrication
 )
 {
     const word type
@@ -27,5 +28,5 @@ Foam::autoPtr<Foam::contactModel> Foam::contactModel::New
         )
     );
 
-    return dictionaryConstructorTablePtr_->cfind(type)()(dict, rho);
+    return dictionaryConstructorTablePtr_->cfind(type)()(dict, rho, lubrication);
 }

@@ -14,7 +14,20 @@ namespace contactModels
 }
 
 
-Foam::contactModels::none::none(const dictionary& dict, const scalar)
+Foam::contactModels::none::none
+(
+    const dictionary& dict,
+    const scalar,
+    const lubricationModel& lubrication
+)
 {
     keywords::check(dict, {"type"});
+
+    if (lubrication.active())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'lubrication' of the type '" << lubrication.type()
+            << "' needs 'contact' of a type other than 'none': without, two"
+            << " bodies must not come that near" << nl << exit(FatalIOError);
+    }
 }

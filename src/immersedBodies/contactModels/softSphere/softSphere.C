@@ -18,10 +18,12 @@ namespace contactModels
 Foam::contactModels::softSphere::softSphere
 (
     const dictionary& dict,
-    const scalar rho
+    const scalar rho,
+    const lubricationModel& lubrication
 )
 :
     law_(dict, rho),
+    lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
@@ -35,6 +37,7 @@ Foam::contactModels::softSphere::softSphere
 void Foam::contactModels::softSphere::advance
 (
     PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
     wallFacets& walls,
     const periodicity& periods,
     const scalar dt,
@@ -42,8 +45,10 @@ void Foam::contactModels::softSphere::advance
 )
 {
     history_.clear();
+    energy_ = oldEnergy_;
+    energy_.normalSprings = energy_.tangentialSprings = 0;
 
-    if (!search(bodies, walls, periods, dt))
+    if (!search(bodies, h, walls, periods, dt))
     {
         return;
     }
@@ -53,15 +58,17 @@ void Foam::contactModels::softSphere::advance
         label(ceil(dt*subSteps_/shortestTime(bodies, dt))),
         label(1)
     );
-    const scalar h = dt/n;
+    const scalar subDt = dt/n;
 
     for (label i = 0; i < n; ++i)
     {
-        drift(bodies, 0.5*h, meshU);
-        findTouches(bodies, walls, h, dt);
-        kick(h);
-        drift(bodies, 0.5*h, meshU);
+        drift(bodies, 0.5*subDt, meshU);
+        findTouches(bodies, walls, subDt, dt);
+        kick(subDt);
+        lubricate(subDt);
+        drift(bodies, 0.5*subDt, meshU);
     }
+    sumSprings(subDt);
 
     for (const mover& m : movers_)
     {
@@ -77,6 +84,8 @@ void Foam::contactModels::softSphere::advance
 
 void Foam::contactModels::softSphere::endStep()
 {
+    oldEnergy_ = energy_;
+
     vectorList packed(history_.pack());
 
     // As the states of the bodies: the copies must not drift apart
@@ -92,6 +101,12 @@ void Foam::contactModels::softSphere::readState(const dictionary& dict)
 {
     old_.unpack(dict.lookupOrDefault<vectorList>("contacts", vectorList()));
     history_ = old_;
+
+    const vector lost(dict.lookupOrDefault<vector>("contactLosses", Zero));
+    oldEnergy_.dashpots = lost.x();
+    oldEnergy_.tangential = lost.y();
+    oldEnergy_.lubrication = lost.z();
+    energy_ = oldEnergy_;
 }
 
 
@@ -105,6 +120,15 @@ void Foam::contactModels::softSphere::writeState(Ostream& os) const
         os  << token::SPACE << v;
     }
     os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
+
+    os.writeEntry
+    (
+        "contactLosses",
+        vector
+        (
+            oldEnergy_.dashpots, oldEnergy_.tangential, oldEnergy_.lubrication
+        )
+    );
 }
 
 

@@ -5,6 +5,7 @@
 bool Foam::contactModels::softSphere::search
 (
     PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
     wallFacets& walls,
     const periodicity& periods,
     const scalar dt
@@ -34,8 +35,11 @@ bool Foam::contactModels::softSphere::search
 
     forAll(bodies, i)
     {
-        radii[i] = bodies[i].shape().boundingRadius() + furthest;
-        reach[i] = bodies[i].isFree() ? radii[i] : 0;
+        const scalar range = lubrication_.range(h[i]);
+        const scalar radius = bodies[i].shape().boundingRadius() + furthest;
+
+        radii[i] = radius + 0.5*range;
+        reach[i] = bodies[i].isFree() ? radius + range : 0;
     }
 
     const closePairs close(centres, radii, periods);
@@ -50,7 +54,7 @@ bool Foam::contactModels::softSphere::search
             const label a = moverOf(bodies, numbers, p.a, dt);
             const label b = moverOf(bodies, numbers, p.b, dt);
 
-            addCandidate(bodies, a, b, p.shift);
+            addCandidate(bodies, h, a, b, p.shift);
         }
     }
 
@@ -60,7 +64,7 @@ bool Foam::contactModels::softSphere::search
         {
             addCandidate
             (
-                bodies, moverOf(bodies, numbers, i, dt), -1, vector::zero
+                bodies, h, moverOf(bodies, numbers, i, dt), -1, vector::zero
             );
         }
     }
@@ -104,18 +108,41 @@ Foam::label Foam::contactModels::softSphere::moverOf
 void Foam::contactModels::softSphere::addCandidate
 (
     const PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
     const label a,
     const label b,
     const vector& shift
 )
 {
+    const label bodya = movers_[a].body;
+    const label bodyb = b < 0 ? -1 : movers_[b].body;
+    const bool round =
+        bodies[bodya].shape().round()
+     && (b < 0 || bodies[bodyb].shape().round());
+
+    lubricationModel::film film{-1, h[bodya]};
+
+    if (lubrication_.active() && round)
+    {
+        const scalar Ra = bodies[bodya].shape().boundingRadius();
+
+        film.radius = Ra;
+        if (b >= 0)
+        {
+            const scalar Rb = bodies[bodyb].shape().boundingRadius();
+
+            film.radius *= Rb/(Ra + Rb);
+            film.cell = 0.5*(h[bodya] + h[bodyb]);
+        }
+    }
+
     const labelPair numbers
     (
-        bodies[movers_[a].body].number(),
-        b < 0 ? -1 : bodies[movers_[b].body].number()
+        bodies[bodya].number(),
+        b < 0 ? -1 : bodies[bodyb].number()
     );
 
-    candidates_.append(candidate{a, b, shift, old_.find(numbers)});
+    candidates_.append(candidate{a, b, shift, film, old_.find(numbers)});
 
     // Of which a candidate of images of the same two has the other part
     DynamicList<contactHistory::record>& records = candidates_.last().records;
@@ -183,4 +210,26 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
     }
 
     return shortest;
+}
+
+
+bool Foam::contactModels::softSphere::apart
+(
+    const PtrList<immersedBody>& bodies,
+    const candidate& c,
+    const scalar h
+) const
+{
+    const mover& a = movers_[c.a];
+    const mover& b = movers_[c.b];
+    const scalar Ra = bodies[a.body].shape().boundingRadius();
+    const scalar Rb = bodies[b.body].shape().boundingRadius();
+    const scalar speed =
+        mag(a.state.U - b.state.U)
+      + Ra*mag(a.state.omega) + Rb*mag(b.state.omega);
+    const scalar reach =
+        Ra + Rb + max(0.5*h*speed, lubrication_.range(c.film.cell));
+
+    return
+        magSqr(a.state.position - b.state.position - c.shift) > sqr(reach);
 }

@@ -50,7 +50,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
         m.force = m.torque = Zero;
     }
 
-    for (const touch& t : touches_)
+    for (touch& t : touches_)
     {
         candidate& c = candidates_[t.candidate];
         vector spring(c.records[t.record].spring);
@@ -60,6 +60,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
         );
         mover& a = movers_[c.a];
 
+        t.force = F;
         a.force += F;
         a.torque += (t.position - a.state.position)^F;
 
@@ -95,6 +96,7 @@ void Foam::contactModels::softSphere::kick(const scalar h)
     }
 
     sumForces(true);
+    sumLosses(h);
 
     forAll(movers_, i)
     {
@@ -107,6 +109,38 @@ void Foam::contactModels::softSphere::kick(const scalar h)
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + rigidMomentum{h*m.force, h*m.torque};
+    }
+}
+
+
+void Foam::contactModels::softSphere::sumLosses(const scalar h)
+{
+    for (const touch& t : touches_)
+    {
+        const vector& n = t.contact.normal;
+        const vector U
+        (
+            relativeVelocity(candidates_[t.candidate], t.position)
+        );
+
+        energy_.dashpots += h*law_.dashpotPower(t.contact, U & n);
+        energy_.tangential -= h*(t.force & (U - (U & n)*n));
+    }
+}
+
+
+void Foam::contactModels::softSphere::sumSprings(const scalar h)
+{
+    for (const touch& t : touches_)
+    {
+        const candidate& c = candidates_[t.candidate];
+        const scalar closing =
+            relativeVelocity(c, t.position) & t.contact.normal;
+        const scalar overlap = max(0.5*h*closing - t.gap, scalar(0));
+
+        energy_.normalSprings += law_.normalEnergy(t.contact, overlap);
+        energy_.tangentialSprings +=
+            law_.tangentialEnergy(t.contact, c.records[t.record].spring);
     }
 }
 

@@ -151,6 +151,8 @@ void Foam::contactModels::softSphere::addTouch
     t.candidate = candidatei;
     t.record = &r - c.records.cdata();
     t.position = point.position;
+    t.gap = point.gap;
+    t.force = Zero;
     t.contact.normal = point.normal;
     t.contact.dt = h;
     t.contact.mass = 1/inverse.first();
@@ -185,6 +187,7 @@ void Foam::contactModels::softSphere::findTouches
 )
 {
     touches_.clear();
+    films_.clear();
 
     forAll(candidates_, i)
     {
@@ -202,13 +205,17 @@ void Foam::contactModels::softSphere::findTouches
             for (const contactPoint& point : points)
             {
                 addTouch(bodies, i, point, h, dt);
+                addFilm(i, point);
             }
         }
-        else
+        else if (!apart(bodies, c, h))
         {
             const immersedBody& b = bodies[movers_[c.b].body];
 
-            addTouch(bodies, i, contactPoint(a, b, c.shift), h, dt);
+            const contactPoint point(a, b, c.shift);
+
+            addTouch(bodies, i, point, h, dt);
+            addFilm(i, point);
         }
 
         endContacts(c, first);

@@ -98,6 +98,55 @@ Foam::scalar Foam::springDashpot::collisionTime
 }
 
 
+Foam::scalar Foam::springDashpot::stiffness(const contact& c) const
+{
+    return c.mass*square()/sqr(c.time);
+}
+
+
+Foam::scalar Foam::springDashpot::tangentialStiffness(const contact& c) const
+{
+    return stiffness(c)
+       *(tangentialRatio_ > 0 ? tangentialRatio_ : c.tangentialMass/c.mass);
+}
+
+
+Foam::scalar Foam::springDashpot::damping(const contact& c) const
+{
+    return -2*c.mass*log(e_)/c.time;
+}
+
+
+Foam::scalar Foam::springDashpot::dashpotPower
+(
+    const contact& c,
+    const scalar closing
+) const
+{
+    return damping(c)*c.fraction*sqr(closing);
+}
+
+
+Foam::scalar Foam::springDashpot::normalEnergy
+(
+    const contact& c,
+    const scalar overlap
+) const
+{
+    return 0.5*stiffness(c)*sqr(overlap);
+}
+
+
+Foam::scalar Foam::springDashpot::tangentialEnergy
+(
+    const contact& c,
+    const vector& spring
+) const
+{
+    return 0.5*tangentialStiffness(c)*magSqr(spring);
+}
+
+
 Foam::vector Foam::springDashpot::force
 (
     const contact& c,
@@ -105,15 +154,11 @@ Foam::vector Foam::springDashpot::force
     vector& spring
 ) const
 {
-    const scalar k = c.mass*square()/sqr(c.time);
-    const scalar gamma = -2*c.mass*log(e_)/c.time;
     const scalar closing = U & c.normal;
-    const scalar normalForce = k*c.overlap + gamma*closing*c.fraction;
+    const scalar normalForce =
+        stiffness(c)*c.overlap + damping(c)*closing*c.fraction;
 
-    const scalar kt =
-        tangentialRatio_ > 0
-      ? tangentialRatio_*k
-      : k*c.tangentialMass/c.mass;
+    const scalar kt = tangentialStiffness(c);
     const scalar gammat =
         -2*log(e_)/Foam::sqrt(square())*Foam::sqrt(kt*c.tangentialMass);
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "checkKeywords.H"
+#include "immersedBodies.H"
+#include "uniformDimensionedFields.H"
+
+namespace
+{
+
+//- transportProperties; empty if there is no such file
+Foam::IOdictionary readTransport(const Foam::fvMesh& mesh)
+{
+    return Foam::IOdictionary
+    (
+        Foam::IOobject
+        (
+            "transportProperties",
+            mesh.time().constant(),
+            mesh,
+            Foam::IOobject::READ_IF_PRESENT,
+            Foam::IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+} // End anonymous namespace
+
+
+Foam::scalar Foam::immersedBodies::readRho
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    if (dict.found("rho"))
+    {
+        return keywords::positive(dict, "rho");
+    }
+
+    const IOdictionary transport(readTransport(mesh));
+
+    return transport.found("rho")
+      ? dimensionedScalar("rho", dimDensity, transport).value()
+      : -1;
+}
+
+
+Foam::scalar Foam::immersedBodies::readNu(const fvMesh& mesh)
+{
+    const IOdictionary transport(readTransport(mesh));
+    const word model
+    (
+        transport.lookupOrDefault<word>("transportModel", word::null)
+    );
+
+    return model == "Newtonian" && transport.found("nu")
+      ? dimensionedScalar("nu", dimViscosity, transport).value()
+      : -1;
+}
+
+
+Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        ),
+        dimensionedVector(dimAcceleration, Zero)
+    );
+
+    return g.value();
+}
