@@ -25,15 +25,19 @@ Foam::functionObjects::bodyFunctionObject::bodyFunctionObject
 
 
 const Foam::immersedBodies&
-Foam::functionObjects::bodyFunctionObject::bodies() const
+Foam::functionObjects::bodyFunctionObject::bodiesOf
+(
+    const fvMesh& mesh,
+    const word& name
+)
 {
     const immersedBodies* bodies =
-        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
+        mesh.findObject<immersedBodies>(immersedBodies::typeName);
 
     if (!bodies)
     {
         FatalErrorInFunction
-            << "Function object '" << name() << "' needs immersed bodies: run"
+            << "Function object '" << name << "' needs immersed bodies: run"
             << " it with the solver immersedFluid and bodies in"
             << " constant/immersedBodyProperties" << nl << exit(FatalError);
     }

@@ -2,6 +2,7 @@
 
 #include "opticalSensor.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyFunctionObject.H"
 #include "checkKeywords.H"
 
 namespace Foam
@@ -11,27 +12,6 @@ namespace functionObjects
     defineTypeNameAndDebug(opticalSensor, 0);
     addToRunTimeSelectionTable(functionObject, opticalSensor, dictionary);
 }
-}
-
-
-const Foam::immersedBodies& Foam::functionObjects::opticalSensor::find
-(
-    const fvMesh& mesh,
-    const word& name
-)
-{
-    const immersedBodies* bodies =
-        mesh.findObject<immersedBodies>(immersedBodies::typeName);
-
-    if (!bodies)
-    {
-        FatalErrorInFunction
-            << "Function object '" << name << "' needs immersed bodies: run"
-            << " it with the solver immersedFluid and bodies in"
-            << " constant/immersedBodyProperties" << nl << exit(FatalError);
-    }
-
-    return *bodies;
 }
 
 
@@ -73,7 +53,7 @@ Foam::functionObjects::opticalSensor::opticalSensor
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, "passages", dict),
-    bodies_(find(mesh_, name)),
+    bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
     record_(name, mesh_, bodies_.clock()),
     traceTime_(bodies_.clock()),
     tablesIndex_(-1),
