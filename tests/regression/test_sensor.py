@@ -120,6 +120,25 @@ def test_passages_are_exact(ranks, tube, tmp_path):
     assert radii["densityOverMean"][one].mean() == pytest.approx(1)
 
 
+def test_tables_before_anything_has_passed(tube, tmp_path):
+    """Floating-point exceptions are trapped: nothing is divided by zero."""
+    case = BodyCase(tube, tmp_path)
+    case.bodies(f"ahead {{ {ACCELERATED} position (-2 0.5 0); }}")
+    add_sensor(
+        case, PLANES,
+        "rate 4; start 0.2; writeControl timeStep; outlets (first second);",
+    )
+    case.controls(endTime="0.25")
+    case.solve()
+
+    for time in ("0.05", "0.2", "0.25"):
+        summary = table(case, time, "summary")
+        assert list(summary["grains"]) == 4*[0]
+        assert np.isnan(summary["rate"]).all() == (time != "0.25")
+        assert list(table(case, time, "outlets")["share"]) == [0, 0]
+    assert list(summary["rate"]) == 4*[0]
+
+
 def test_tubes_in_any_direction(tmp_path):
     """A sphere that goes straight along (1 2 2)/3 in 3D, 0.1 beside the axis
     of a tube; one plane across it, one askew, one with another tube's axis."""

@@ -209,6 +209,13 @@ TEST_CASE("Moments are those of the numbers", "[sensor]")
 {
     runningMoments m;
     CHECK(std::isnan(m.mean()));
+    CHECK(std::isnan(m.variation()));
+
+    m.add(-1);
+    m.add(1);
+    CHECK(m.mean() == 0);
+    CHECK(std::isnan(m.variation()));
+    m = runningMoments();
 
     // Far from zero, where sums of squares lose all digits
     for (const scalar x : {2, 4, 4, 4, 5, 5, 7, 9})

@@ -55,20 +55,22 @@ void Foam::functionObjects::opticalSensor::writeSummary() const
         const passageStatistics& one = record_[planei];
         const scalar T = record_.duration(planei, bodies_.clock());
 
-        // Not known without a nominal rate
+        // Not known without a nominal rate, or before the start
         auto known = [&](const scalar x) { return one.rate() > 0 ? x : NAN; };
+        auto rate = [&](const label n) { return T > 0 ? n/T : NAN; };
 
         table()
             << planei << tab << T << tab << one.nGrains() << tab
-            << one.nBackward() << tab << one.nGrains()/T << tab
+            << one.nBackward() << tab << rate(one.nGrains()) << tab
             << one.speed().mean() << tab << one.speed().deviation() << tab
             << one.spacing().mean() << tab << one.spacing().variation()
             << tab << one.nSignals() << tab << one.nDoubles() << tab
-            << one.nHidden() << tab << one.nDoubles()/T << tab
+            << one.nHidden() << tab << rate(one.nDoubles()) << tab
             << one.interval().mean() << tab << one.interval().deviation()
             << tab << one.interval().variation() << tab
             << known(one.nMultiples()) << tab << known(one.nMisses()) << tab
-            << known(one.nMultiples()/T) << tab << known(one.nMisses()/T)
+            << known(rate(one.nMultiples())) << tab
+            << known(rate(one.nMisses()))
             << tab << known(one.single().deviation()*one.rate()) << tab
             << planes_[planei].name() << nl;
     }

@@ -64,6 +64,12 @@ Foam::scalar Foam::runningMoments::deviation() const
 }
 
 
+Foam::scalar Foam::runningMoments::variation() const
+{
+    return n_ > 1 && mean_ != 0 ? deviation()/mean_ : NAN;
+}
+
+
 Foam::scalar Foam::runningMoments::min() const
 {
     return n_ ? min_ : NAN;
