@@ -42,8 +42,8 @@ def rans(folder, quick):
                 case, f"kOmegaSST, Re {Re:.0e}, {wall}",
                 CELLS_ACROSS[resolution])
             if not roughness:
-                yield result.row("f over Blasius", f, blasius(Re_run))
-            yield result.row("f over Colebrook", f, colebrook(Re_run, roughness))
+                yield result.row("f, Blasius", f, blasius(Re_run))
+            yield result.row("f, Colebrook", f, colebrook(Re_run, roughness))
 
 
 def les(folder):
@@ -51,7 +51,7 @@ def les(folder):
     case = BenchCase("periodicTubeLES", folder)
     case.run("setExprFields")
     result, Re, f = solve(case, "WALE, Re 1e+04, smooth", LES_CELLS_ACROSS, part=0.5)
-    yield result.row("f over Blasius", f, blasius(Re))
+    yield result.row("f, Blasius", f, blasius(Re))
 
 
 def rows(folder, quick):
