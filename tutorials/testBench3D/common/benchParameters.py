@@ -67,7 +67,8 @@ def readBench(changes=(), file=FILE):
     for section, entries in texts.items():
         bench[section] = {}
         for name, text in entries.items():
-            values = [number(name, word) for word in text.split()]
+            words = text.replace(",", " ").split()
+            values = [number(name, word) for word in words]
             if name not in LISTS and len(values) != 1:
                 raise BenchError(
                     f"{FILE}: {name} = {text}: one value is wanted")

@@ -95,11 +95,9 @@ class Path:
         self.tangent, side = unit(tangent), unit(side)
         self.frames = [(np.asarray(start, dtype=float), side,
                         np.cross(self.tangent, side))]
-        self.length = 0.0
 
     def line(self, length, n):
         position, side, up = self.frames[-1]
-        self.length += length
         for s in np.linspace(0, length, n + 1)[1:]:
             self.frames.append((position + s*self.tangent, side, up))
 
@@ -111,7 +109,6 @@ class Path:
         towards = unit(towards - towards @ self.tangent*self.tangent)
         centre = position + radius*towards
         axis = np.cross(self.tangent, towards)
-        self.length += radius*np.radians(angle)
 
         def turned(vector, a):
             return (np.cos(a)*vector + np.sin(a)*np.cross(axis, vector)
