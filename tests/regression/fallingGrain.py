@@ -37,8 +37,10 @@ value           ({} {} {});
 
 def standard_drag(Re):
     """Drag coefficient of a sphere, Clift, Grace & Weber (1978), for Re from
-    20 to 12 000."""
+    0.01 to 12 000."""
     w = math.log10(Re)
+    if Re <= 20:
+        return 24/Re*(1 + 0.1315*Re**(0.82 - 0.05*w))
     if Re <= 260:
         return 24/Re*(1 + 0.1935*Re**0.6305)
     if Re <= 1500:
@@ -82,11 +84,11 @@ def set_upwind(case):
 def falling_grain(
     folder, name, D, cells, rho_p=1000, start=1.0, courant=4, end=0.3,
     coupling="type unresolved;", grain="", place=(0.1, 0.2, -0.3),
-    width=20, ahead=8, behind=24,
+    width=20, ahead=8, behind=24, shape=None,
 ):
-    """A sphere of `cells` cells per diameter D [m] that starts with `start`
-    times the terminal velocity; place and sizes of the box in cells.
-    Returns the case and its number of cells."""
+    """A sphere, or another shape, of `cells` cells per diameter D [m] that
+    starts with `start` times the terminal velocity; place and sizes of the box
+    in cells. Returns the case and its number of cells."""
     h = D/cells
     case = BodyCase("tube", folder, name)
     set_fields(case, U, P)
@@ -108,7 +110,7 @@ def falling_grain(
     case.bodies(f"""
         grain
         {{
-            shape       {{ type sphere; radius {0.5*D:.12g}; }}
+            shape       {{ {shape or f"type sphere; radius {0.5*D:.12g};"} }}
             densityRatio {rho_p/RHO:.12g};
             position    ({x:.12g} {y:.12g} {z:.12g});
             velocity    ({start*V:.12g} 0 0);
@@ -118,6 +120,16 @@ def falling_grain(
         coupling {{ {coupling} }}""")
     case.controls(endTime=f"{end:.9g}", deltaT=f"{courant*h/V:.9g}")
     return case, n
+
+
+def falling_dust(folder, name, cells, **settings):
+    """A sphere of 60 um, Re = 0.4, for eight of its relaxation times."""
+    D = 60e-6
+    V = terminal_velocity(D, 1000)
+    return falling_grain(
+        folder, name, D, cells, courant=2, end=8*V/G + 20*D/cells/V,
+        width=30, ahead=15, behind=30, **settings,
+    )
 
 
 def limit(values):

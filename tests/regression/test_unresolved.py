@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from bodyCase import BodyCase
-from fallingGrain import falling_grain, limit, terminal_velocity
+from fallingGrain import (
+    falling_dust, falling_grain, limit, standard_drag, terminal_velocity,
+)
 from periodicBox import superficial_speed
 from unresolvedBox import GRAINS, bed, grain_box, momentum, velocities
 
@@ -28,6 +30,47 @@ def test_terminal_velocity_of_a_rapeseed(cells, tmp_path):
     )
     assert "outer iterations 1," in log
     assert "outer iterations 2" not in log
+
+
+def test_terminal_velocity_at_low_reynolds_number(tmp_path):
+    """Where a grain drags along a fifth of its speed in its kernel."""
+    case, _ = falling_dust(tmp_path, "dust", 1)
+    case.solve()
+    assert case.table("motion")["velocity_x"][-1] == pytest.approx(
+        terminal_velocity(60e-6, 1000), rel=0.005
+    )
+
+
+def haider_levenspiel(Re, psi):
+    """Drag coefficient, Haider & Levenspiel (1989), for a sphericity."""
+    A = np.exp(2.3288 - 6.4581*psi + 2.4486*psi**2)
+    B = 0.0964 + 0.5565*psi
+    C = np.exp(4.905 - 13.8944*psi + 18.4222*psi**2 - 10.2599*psi**3)
+    D = np.exp(1.4681 + 12.2584*psi - 20.7322*psi**2 + 15.8855*psi**3)
+    return 24/Re*(1 + A*Re**B) + C/(1 + D/Re)
+
+
+def test_a_cube_falls_by_its_sphericity(tmp_path):
+    D = 0.002
+    side, psi = (np.pi/6)**(1/3)*D, (np.pi/6)**(1/3)
+
+    def drag(Re):
+        return standard_drag(Re)*(
+            haider_levenspiel(Re, psi)/haider_levenspiel(Re, 1)
+        )
+
+    expected = terminal_velocity(D, 1000, drag=drag)
+    assert expected < 0.8*terminal_velocity(D, 1000)
+
+    case, _ = falling_grain(
+        tmp_path, "cube", D, 0.3,
+        start=1.03*expected/terminal_velocity(D, 1000),
+        shape=f"type box; size ({side:.9g} {side:.9g} {side:.9g});",
+    )
+    case.solve()
+    assert limit(case.table("motion")["velocity_x"]) == pytest.approx(
+        expected, rel=0.005
+    )
 
 
 def test_drag_model_that_is_selected_acts(tmp_path):

@@ -4,7 +4,6 @@
 #include "compat.H"
 #include "mathematicalConstants.H"
 #include "sphericity.H"
-#include "unresolvedMotion.H"
 
 Foam::scalar Foam::unresolvedCoupling::diameter(const immersedBody& body)
 {
@@ -122,74 +121,72 @@ void Foam::unresolvedCoupling::update
 
     forAll(bodies, i)
     {
-        if (!bodies[i].resolved())
-        {
-            ++nUnresolved_;
-        }
-        else
+        if (bodies[i].resolved())
         {
             kernels_[i].clear();
+            continue;
         }
-    }
 
-    // Sum of the weights, cells with the centre, their size
-    const label n = 3;
-    scalarField sums(active() ? n*bodies.size() : 0, Zero);
+        ++nUnresolved_;
+        kernels_[i].update
+        (
+            bodies[i].state().position,
+            max(kernelCells_*h[i], kernelDiameters_*diameter(bodies[i])),
+            centres_,
+            search_,
+            periods_
+        );
+    }
 
     if (active())
     {
-        forAll(bodies, i)
+        normalise(bodies, h);
+    }
+    cover(bodies);
+}
+
+
+void Foam::unresolvedCoupling::normalise
+(
+    const PtrList<immersedBody>& bodies,
+    scalarList& h
+)
+{
+    // Sum of the weights, cells with the centre, their size
+    const label n = 3;
+    scalarField sums(n*bodies.size(), Zero);
+
+    forAll(bodies, i)
+    {
+        const bodyKernel& kernel = kernels_[i];
+
+        sums[n*i] = kernel.sum(mesh_.V());
+
+        if (kernel.centreCell >= 0)
         {
-            if (bodies[i].resolved())
-            {
-                continue;
-            }
-
-            bodyKernel& kernel = kernels_[i];
-
-            kernel.update
-            (
-                bodies[i].state().position,
-                max(kernelCells_*h[i], kernelDiameters_*diameter(bodies[i])),
-                centres_,
-                search_,
-                periods_
-            );
-            sums[n*i] = kernel.sum(mesh_.V());
-
-            if (kernel.centreCell >= 0)
-            {
-                sums[n*i + 1] = 1;
-                sums[n*i + 2] = search_.hMax(kernel.centreCell);
-            }
-        }
-
-        compat::allReduce(sums, plusEqOp<scalar>());
-
-        forAll(bodies, i)
-        {
-            if (bodies[i].resolved())
-            {
-                continue;
-            }
-
-            const scalar found = sums[n*i + 1];
-
-            inside_[i] = found > 0;
-
-            if (inside_[i])
-            {
-                h[i] = sums[n*i + 2]/found;
-                kernels_[i].normalise(sums[n*i]);
-            }
-            else
-            {
-                kernels_[i].weight = scalar(0);
-            }
+            sums[n*i + 1] = 1;
+            sums[n*i + 2] = search_.hMax(kernel.centreCell);
         }
     }
 
-    cover(bodies);
+    compat::allReduce(sums, plusEqOp<scalar>());
+
+    forAll(bodies, i)
+    {
+        const scalar found = sums[n*i + 1];
+
+        inside_[i] = found > 0;
+
+        if (inside_[i])
+        {
+            h[i] = sums[n*i + 2]/found;
+            kernels_[i].normalise(sums[n*i]);
+        }
+        else
+        {
+            kernels_[i].weight = scalar(0);
+        }
+    }
 }
 
 
@@ -233,124 +230,5 @@ void Foam::unresolvedCoupling::addFraction(scalarField& fraction) const
     for (const label celli : covered_)
     {
         fraction[celli] += fraction_[celli];
-    }
-}
-
-
-Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
-(
-    const PtrList<immersedBody>& bodies,
-    const ddtCoefficients& ddt,
-    const volVectorField& U,
-    const scalarField& nu,
-    const scalarField& nuEff
-) const
-{
-    const scalarField& V = mesh_.V();
-    const vectorField& U0 = U.oldTime();
-    const vectorField& U00 = ddt.c00 != 0 ? U.oldTime().oldTime() : U0;
-    List<fluidSample> samples(bodies.size());
-
-    forAll(bodies, bodyi)
-    {
-        const bodyKernel& kernel = kernels_[bodyi];
-        const scalar D = diameter(bodies[bodyi]);
-
-        forAll(kernel.cells, i)
-        {
-            const label celli = kernel.cells[i];
-            const scalar weight = kernel.weight[i]*V[celli];
-
-            samples[bodyi].add
-            (
-                weight,
-                kernel.r[i],
-                U[celli],
-                ddt(U[celli], U0[celli], U00[celli])
-            );
-            samples[bodyi].addScalars
-            (
-                weight,
-                nu[celli],
-                nuEff[celli],
-                kernel.weight[i],
-                fraction_[celli],
-                crowd_[celli]/D
-            );
-        }
-    }
-
-    if (Pstream::parRun())
-    {
-        const label n = fluidSample::nPacked;
-        scalarField packed(n*samples.size());
-
-        forAll(samples, i)
-        {
-            samples[i].pack(packed, n*i);
-        }
-        compat::allReduce(packed, plusEqOp<scalar>());
-        forAll(samples, i)
-        {
-            samples[i].unpack(packed, n*i);
-        }
-    }
-
-    return samples;
-}
-
-
-void Foam::unresolvedCoupling::correct
-(
-    PtrList<immersedBody>& bodies,
-    const ddtCoefficients& ddt,
-    const vector& g,
-    const vector& meshU,
-    const volVectorField& U,
-    const scalarField& nu,
-    const scalarField& nuEff
-) const
-{
-    const List<fluidSample> samples(sample(bodies, ddt, U, nu, nuEff));
-
-    forAll(bodies, i)
-    {
-        immersedBody& body = bodies[i];
-
-        if (body.resolved() || !inside_[i])
-        {
-            continue;
-        }
-
-        const unresolvedMotion motion
-        (
-            drag_(), samples[i], body, sphericities_[i], ddt, g, meshU
-        );
-
-        // The equation is linear now: the second time sets the load only
-        for (label k = 0; k < 2; ++k)
-        {
-            body.correctVelocity(motion.load(body, ddt), ddt, g);
-        }
-    }
-}
-
-
-void Foam::unresolvedCoupling::addLoads
-(
-    const PtrList<immersedBody>& bodies,
-    const scalar factor,
-    vectorField& force
-) const
-{
-    forAll(bodies, bodyi)
-    {
-        const bodyKernel& kernel = kernels_[bodyi];
-        const vector P(factor*bodies[bodyi].load().force);
-
-        forAll(kernel.cells, i)
-        {
-            force[kernel.cells[i]] += kernel.weight[i]*P;
-        }
     }
 }

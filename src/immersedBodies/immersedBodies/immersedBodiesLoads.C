@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "compat.H"
+#include "profiling.H"
+#include "unresolvedCoupling.H"
+
+void Foam::immersedBodies::reduceLoads(const bool response)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    const label n = response ? bodyLoad::nPacked : bodyLoad::nPackedLoad;
+    scalarField packed(n*nResolved());
+    label at = 0;
+
+    forAll(loads_, bodyi)
+    {
+        if (bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].pack(packed, at, n);
+            at += n;
+        }
+    }
+
+    compat::allReduce(packed, plusEqOp<scalar>());
+    at = 0;
+
+    forAll(loads_, bodyi)
+    {
+        if (bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].unpack(packed, at, n);
+            at += n;
+        }
+    }
+}
+
+
+Foam::scalar Foam::immersedBodies::correct
+(
+    const ddtCoefficients& ddt,
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const volVectorField& U,
+    const vectorField& gradP,
+    const vectorField& dU,
+    const bool response
+)
+{
+    addProfiling(correct, "immersedBodies::correct");
+
+    if (nResolved())
+    {
+        region_.load(bodies_, ddt, E0, A0, U, gradP, dU, response, loads_);
+
+        forAll(loads_, bodyi)
+        {
+            loads_[bodyi].scale(nParts_[bodyi], response);
+        }
+
+        reduceLoads(response);
+    }
+
+    scalar change = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        if (!body.resolved())
+        {
+            // correctUnresolved() has moved it on
+            loads_[bodyi].volume =
+                unresolved_->inside(bodyi) ? body.volume() : 0;
+            continue;
+        }
+
+        // One that is all but outside the mesh has nothing to go by
+        if (!body.isFree() || inMesh(bodyi))
+        {
+            change = max
+            (
+                change,
+                body.correctVelocity(loads_[bodyi], ddt, g_)
+            );
+        }
+    }
+
+    window_.follow(bodies_);
+
+    return change;
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "unresolvedCoupling.H"
+#include "compat.H"
+#include "unresolvedMotion.H"
+
+Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
+(
+    const PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
+    const volVectorField& U,
+    const scalarField& nu,
+    const scalarField& nuEff
+) const
+{
+    const scalarField& V = mesh_.V();
+    const vectorField& U0 = U.oldTime();
+    const vectorField& U00 = ddt.c00 != 0 ? U.oldTime().oldTime() : U0;
+    List<fluidSample> samples(bodies.size());
+
+    forAll(bodies, bodyi)
+    {
+        const bodyKernel& kernel = kernels_[bodyi];
+        const scalar D = diameter(bodies[bodyi]);
+
+        forAll(kernel.cells, i)
+        {
+            const label celli = kernel.cells[i];
+            const scalar weight = kernel.weight[i]*V[celli];
+
+            samples[bodyi].add
+            (
+                weight,
+                kernel.r[i],
+                U[celli],
+                ddt(U[celli], U0[celli], U00[celli])
+            );
+            samples[bodyi].addScalars
+            (
+                weight,
+                nu[celli],
+                nuEff[celli],
+                kernel.weight[i],
+                fraction_[celli],
+                crowd_[celli]/D
+            );
+        }
+    }
+
+    if (Pstream::parRun())
+    {
+        const label n = fluidSample::nPacked;
+        scalarField packed(n*samples.size());
+
+        forAll(samples, i)
+        {
+            samples[i].pack(packed, n*i);
+        }
+        compat::allReduce(packed, plusEqOp<scalar>());
+        forAll(samples, i)
+        {
+            samples[i].unpack(packed, n*i);
+        }
+    }
+
+    return samples;
+}
+
+
+void Foam::unresolvedCoupling::correct
+(
+    PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    const vector& meshU,
+    const volVectorField& U,
+    const scalarField& nu,
+    const scalarField& nuEff
+) const
+{
+    const List<fluidSample> samples(sample(bodies, ddt, U, nu, nuEff));
+
+    forAll(bodies, i)
+    {
+        immersedBody& body = bodies[i];
+
+        if (body.resolved() || !inside_[i])
+        {
+            continue;
+        }
+
+        const unresolvedMotion motion
+        (
+            drag_(), samples[i], body, sphericities_[i], ddt, g, meshU
+        );
+
+        // The equation is linear now: the second time sets the load only
+        for (label k = 0; k < 2; ++k)
+        {
+            body.correctVelocity(motion.load(body, ddt), ddt, g);
+        }
+    }
+}
+
+
+void Foam::unresolvedCoupling::addLoads
+(
+    const PtrList<immersedBody>& bodies,
+    const scalar factor,
+    vectorField& force
+) const
+{
+    forAll(bodies, bodyi)
+    {
+        const bodyKernel& kernel = kernels_[bodyi];
+        const vector P(factor*bodies[bodyi].load().force);
+
+        forAll(kernel.cells, i)
+        {
+            force[kernel.cells[i]] += kernel.weight[i]*P;
+        }
+    }
+}
