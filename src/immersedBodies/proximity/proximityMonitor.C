@@ -86,6 +86,11 @@ Foam::scalar Foam::proximityMonitor::gap
         return gap(b, a, -shift);
     }
 
+    if (a.shape().hasSupport() && b.shape().hasSupport())
+    {
+        return contactPoint(a, b, shift).gap;
+    }
+
     return min(sampledGap(a, b, shift), sampledGap(b, a, -shift));
 }
 

@@ -24,9 +24,10 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
     const point& centre = body.state().position;
     const scalar R = body.shape().boundingRadius();
     const bool round = body.shape().round();
-    const pointField surface
+    const bool support = body.shape().hasSupport();
+    pointField surface
     (
-        round ? pointField() : contactPoint::surface(body)
+        round || support ? pointField() : contactPoint::surface(body)
     );
 
     List<contactPoint> result(facets.size());
@@ -59,6 +60,11 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
         x.append(f.nearest(centre));
         scalarField gaps(x.size());
         body.distance(x, gaps);
+
+        if (support)
+        {
+            surface = pointField(1, body.support(-f.normal));
+        }
 
         for (const point& y : surface)
         {

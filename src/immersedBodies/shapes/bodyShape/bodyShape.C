@@ -99,3 +99,13 @@ Foam::scalar Foam::bodyShape::distance(const point& X) const
 
     return d;
 }
+
+
+Foam::point Foam::bodyShape::support(const vector&) const
+{
+    FatalErrorInFunction
+        << "The shape '" << type() << "' has no support" << nl
+        << exit(FatalError);
+
+    return Zero;
+}

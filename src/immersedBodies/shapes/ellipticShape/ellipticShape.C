@@ -124,3 +124,11 @@ Foam::scalar Foam::bodyShapes::ellipticShape::boundingRadius() const
 {
     return cmptMax(inPlane(semiAxes_));
 }
+
+
+Foam::point Foam::bodyShapes::ellipticShape::support(const vector& n) const
+{
+    const vector scaled(cmptMultiply(inPlane(semiAxes_), n));
+
+    return cmptMultiply(inPlane(semiAxes_), scaled)/(mag(scaled) + VSMALL);
+}

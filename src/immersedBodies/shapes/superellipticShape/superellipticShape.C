@@ -220,3 +220,36 @@ Foam::scalar Foam::bodyShapes::superellipticShape::planeMoment
           - std::lgamma((i + j + 2)/n + 1)
         );
 }
+
+
+Foam::point Foam::bodyShapes::superellipticShape::support
+(
+    const vector& n
+) const
+{
+    // Gradient of the norm that is dual to N
+    const scalar q1 = n1_/(n1_ - 1), q2 = n2_/(n2_ - 1);
+    const vector axes(inPlane(semiAxes_));
+    const vector s(cmptMultiply(axes, cmptMag(n)));
+    const scalar r = std::pow
+    (
+        std::pow(s.x(), q2) + std::pow(s.y(), q2), 1/q2
+    );
+    const scalar norm = std::pow(std::pow(r, q1) + std::pow(s.z(), q1), 1/q1);
+    const scalar rPart = std::pow(r/max(norm, VSMALL), q1 - 1);
+
+    const vector parts
+    (
+        rPart*std::pow(s.x()/max(r, VSMALL), q2 - 1),
+        rPart*std::pow(s.y()/max(r, VSMALL), q2 - 1),
+        std::pow(s.z()/max(norm, VSMALL), q1 - 1)
+    );
+    point x(Zero);
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        x[i] = sign(n[i])*axes[i]*parts[i];
+    }
+
+    return x;
+}
