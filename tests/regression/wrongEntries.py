@@ -67,6 +67,15 @@ WRONG = {
         FILE, "bodies\n", "contact { type softSpheres; }\nbodies\n",
         ["'type softSpheres'", "none", "contact", FILE],
     ),
+    "type of lubrication": (
+        FILE, "bodies\n", "lubrication { type leading; }\nbodies\n",
+        ["'type leading'", "leadingOrder", "lubrication", FILE],
+    ),
+    "lubrication without contact": (
+        FILE, "bodies\n",
+        "lubrication { type leadingOrder; nu 1; }\nbodies\n",
+        ["'lubrication'", "leadingOrder", "needs 'contact'"],
+    ),
     "sphere in 2D": (
         FILE, "type disc", "type sphere",
         ["'type sphere'", "use 'disc'", FILE],

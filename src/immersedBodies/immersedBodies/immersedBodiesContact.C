@@ -41,10 +41,13 @@ void Foam::immersedBodies::addContact()
     {
         addProfiling(contact, "immersedBodies::contact");
 
-        // Of a sphere and of a disc in unbounded fluid
+        // Of a sphere and of a disc that leave a wall, or one like them, in
+        // potential flow: 3/2 zeta(3) - 1 and pi^2/3 - 1
+        const scalar addedMass = space_.twoD() ? 2.290 : 0.803;
+
         for (immersedBody& body : bodies_)
         {
-            body.setAddedMass(space_.twoD() ? 1 : 0.5);
+            body.setAddedMass(addedMass);
         }
 
         contact_->advance
