@@ -10,7 +10,7 @@ from measure import Result
 NU, DIAMETER = 1.81e-5/1.2, 0.035
 # By resolution
 CELLS_ACROSS = {1: 8, 2: 14, 3: 20}
-LES_CELLS_ACROSS = 22
+LES_CELLS_ACROSS = 16
 ROUGHNESS = 0.02
 
 
