@@ -8,9 +8,9 @@ namespace
 {
 
 //- transportProperties; empty if there is no such file
-Foam::IOdictionary readTransport(const Foam::fvMesh& mesh)
+Foam::dictionary readTransport(const Foam::fvMesh& mesh)
 {
-    return Foam::IOdictionary
+    const Foam::IOdictionary transport
     (
         Foam::IOobject
         (
@@ -22,6 +22,8 @@ Foam::IOdictionary readTransport(const Foam::fvMesh& mesh)
             false
         )
     );
+
+    return Foam::dictionary(transport);
 }
 
 } // End anonymous namespace
@@ -38,7 +40,7 @@ Foam::scalar Foam::immersedBodies::readRho
         return keywords::positive(dict, "rho");
     }
 
-    const IOdictionary transport(readTransport(mesh));
+    const dictionary transport(readTransport(mesh));
 
     return transport.found("rho")
       ? dimensionedScalar("rho", dimDensity, transport).value()
@@ -48,7 +50,7 @@ Foam::scalar Foam::immersedBodies::readRho
 
 Foam::scalar Foam::immersedBodies::readNu(const fvMesh& mesh)
 {
-    const IOdictionary transport(readTransport(mesh));
+    const dictionary transport(readTransport(mesh));
     const word model
     (
         transport.lookupOrDefault<word>("transportModel", word::null)

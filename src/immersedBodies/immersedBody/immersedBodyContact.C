@@ -4,7 +4,9 @@
 
 Foam::vector Foam::immersedBody::inverseMass() const
 {
-    return isFree() ? freeU_/((densityRatio_ + addedMass_)*volume()) : vector::zero;
+    return isFree()
+      ? freeU_/((densityRatio_ + addedMass_)*volume())
+      : vector::zero;
 }
 
 

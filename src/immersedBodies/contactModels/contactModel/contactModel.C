@@ -28,5 +28,8 @@ Foam::autoPtr<Foam::contactModel> Foam::contactModel::New
         )
     );
 
-    return dictionaryConstructorTablePtr_->cfind(type)()(dict, rho, lubrication);
+    return dictionaryConstructorTablePtr_->cfind(type)()
+    (
+        dict, rho, lubrication
+    );
 }
