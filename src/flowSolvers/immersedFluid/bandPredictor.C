@@ -76,7 +76,6 @@ bool Foam::flowSolvers::immersedFluid::predictBands()
     const label nSweeps = region.relax
     (
         E0,
-        A0_(),
         drive()(),
         residualTarget::tolerance(solver)*speedScale_,
         residualTarget::relTol(solver),

@@ -153,7 +153,7 @@ void Foam::smoothedFlux::set
             continue;
         }
 
-        const label patchi = patches.whichPatch(facei);
+        const label patchi = patches.patchID()[facei - mesh_.nInternalFaces()];
         const label i = facei - patches[patchi].start();
 
         // Empty patches have none

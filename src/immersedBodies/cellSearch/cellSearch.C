@@ -66,7 +66,7 @@ Foam::symmTensor Foam::cellSearch::faceEdges(const label facei) const
     }
 
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label patchi = patches.whichPatch(facei);
+    const label patchi = patches.patchID()[facei - mesh_.nInternalFaces()];
 
     return 0.5
        *(

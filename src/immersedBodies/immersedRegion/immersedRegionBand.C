@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedRegion.H"
+#include "bandRows.H"
 #include "syncTools.H"
 
 namespace
@@ -40,7 +41,7 @@ void Foam::immersedRegion::addConvection
                 continue;
             }
 
-            const label patchi = patches.whichPatch(facei);
+            const label patchi = patchOf(facei);
             const label i = facei - patches[patchi].start();
 
             if (i >= phi.boundaryField()[patchi].size())
@@ -64,42 +65,36 @@ void Foam::immersedRegion::addConvection
 Foam::label Foam::immersedRegion::relax
 (
     const fvVectorMatrix& E0,
-    const volScalarField& A0,
     const vectorField& gradP,
     const scalar tolerance,
     const scalar relTol,
     volVectorField& U
 ) const
 {
-    vectorField& Ui = U.primitiveFieldRef();
-    const label n = cells_.size();
-    const vectorField before(Ui, cells_);
+    vectorField f(cells_.size());
+
+    forAll(f, i)
+    {
+        const label celli = cells_[i];
+
+        f[i] = KU_[celli] + shieldDU_[celli]
+          - (1 - shield_[celli])*gradP[celli];
+    }
+
+    bandRows rows(E0, cells_, K_, f);
+    const vectorField before(U.primitiveField(), cells_);
     scalar first = 0;
 
     for (label sweep = 1; sweep <= maxSweeps; ++sweep)
     {
-        const List<vectorField> neighbourU(coupledNeighbours(U));
-        scalar change = 0;
-
         // Forth and back
-        for (label j = 0; j < n; ++j)
-        {
-            const label celli = cells_[sweep % 2 ? j : n - 1 - j];
-            const vector H
-            (
-                rowH(E0, Ui, neighbourU, celli)
-              + KU_[celli] + shieldDU_[celli]
-              - (1 - shield_[celli])*gradP[celli]
-            );
-            const vector Unew(H/(A0[celli] + K_[celli]));
-
-            change = max(change, mag(Unew - Ui[celli]));
-            Ui[celli] = Unew;
-        }
-
+        const scalar change = returnReduce
+        (
+            rows.sweep(U, sweep % 2 == 0),
+            maxOp<scalar>()
+        );
         U.correctBoundaryConditions();
 
-        reduce(change, maxOp<scalar>());
         first = sweep == 1 ? change : first;
 
         if (change <= max(tolerance, relTol*first))
@@ -110,7 +105,7 @@ Foam::label Foam::immersedRegion::relax
         // Rows that are not dominated by their diagonals
         if (change > 10*first)
         {
-            UIndirectList<vector>(Ui, cells_) = before;
+            UIndirectList<vector>(U.primitiveFieldRef(), cells_) = before;
             U.correctBoundaryConditions();
             return 0;
         }
@@ -146,7 +141,7 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
     forAll(beyond, i)
     {
         const label facei = mesh_.nInternalFaces() + i;
-        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+        const label patchi = patchOf(facei);
 
         if
         (

@@ -46,7 +46,7 @@ Foam::vector Foam::immersedRegion::rowH
             continue;
         }
 
-        const label patchi = patches.whichPatch(facei);
+        const label patchi = patchOf(facei);
         const label i = facei - patches[patchi].start();
 
         if (i >= E0.internalCoeffs()[patchi].size())
@@ -331,7 +331,7 @@ void Foam::immersedRegion::addCoupledResponse
             continue;
         }
 
-        const label patchi = patches.whichPatch(facei);
+        const label patchi = patchOf(facei);
         const label i = facei - patches[patchi].start();
         const label celli = mesh_.faceOwner()[facei];
 

@@ -49,7 +49,7 @@ void Foam::immersedRegion::penalise
                 continue;
             }
 
-            const label patchi = patches.whichPatch(facei);
+            const label patchi = patchOf(facei);
             const label i = facei - patches[patchi].start();
 
             if (i < E.internalCoeffs()[patchi].size())
@@ -78,7 +78,7 @@ void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
         }
         else
         {
-            const label patchi = patches.whichPatch(facei);
+            const label patchi = patchOf(facei);
             scalar& patchPhi = phi.boundaryFieldRef()
                 [patchi][facei - patches[patchi].start()];
 
