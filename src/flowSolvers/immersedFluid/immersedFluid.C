@@ -98,12 +98,17 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     correctViscosity();
 
     bodies_->report(Info);
+    // Each with a comma and a space before
+    string skipped;
+    skipped += bodies_->moving() ? "" : ", motion of bodies";
+    skipped += stokes_ ? ", convection" : "";
+    skipped += uniformViscosity_ ? ", turbulence, transposed stress" : "";
+    skipped += bodies_->contact() ? "" : ", contact";
+    skipped += bodies_->lubrication() ? "" : ", lubrication";
+
     Info<< "    skipped: "
-        << (bodies_->moving() ? "" : "motion of bodies, ")
-        << (stokes_ ? "convection, " : "")
-        << (uniformViscosity_ ? "turbulence, transposed stress, " : "")
-        << (bodies_->contact() ? "" : "contact, ")
-        << (bodies_->lubrication() ? "" : "lubrication") << nl << endl;
+        << (skipped.empty() ? "nothing" : skipped.substr(2).c_str()) << nl
+        << endl;
 }
 
 

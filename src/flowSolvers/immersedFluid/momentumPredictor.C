@@ -169,7 +169,7 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
      && runTime_.timeIndex() > 1
     )
     {
-        // The extrapolation is stable where viscosity does not reach little
+        // The extrapolation is stable where viscosity reaches over cells
         const scalar part = max(1 - 1/max(viscousReach(), SMALL), 0)
            *runTime_.deltaTValue()/runTime_.deltaT0Value();
         const volScalarField& p0 = p_.oldTime();
