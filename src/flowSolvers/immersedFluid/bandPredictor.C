@@ -54,10 +54,6 @@ bool Foam::flowSolvers::immersedFluid::predictBands()
     fvVectorMatrix& E0 = tUEqn.ref();
     const immersedRegion& region = bodies_->region();
 
-    if (source0_.empty())
-    {
-        source0_ = E0.source();
-    }
     E0.source() = source0_;
 
     if (!stokes_)

@@ -5,6 +5,7 @@
 #include "compat.H"
 #include "functionObject.H"
 #include "fvcFlux.H"
+#include "pairGradient.H"
 
 namespace Foam
 {
@@ -13,33 +14,6 @@ namespace flowSolvers
     defineTypeNameAndDebug(immersedFluid, 0);
     addToRunTimeSelectionTable(flowSolver, immersedFluid, dynamicFvMesh);
 }
-}
-
-
-Foam::autoPtr<Foam::volScalarField>
-Foam::flowSolvers::immersedFluid::newIncrement(const volScalarField& p)
-{
-    const fvMesh& mesh = p.mesh();
-    wordList types(mesh.boundary().size(), "zeroGradient");
-
-    forAll(types, patchi)
-    {
-        if (p.boundaryField()[patchi].fixesValue())
-        {
-            types[patchi] = "fixedValue";
-        }
-    }
-
-    return autoPtr<volScalarField>
-    (
-        new volScalarField
-        (
-            IOobject("dp", mesh.time().timeName(), mesh),
-            mesh,
-            dimensionedScalar(p.dimensions(), Zero),
-            types
-        )
-    );
 }
 
 
@@ -57,6 +31,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         immersed()
      && word(mesh.divScheme("div(phi,U)")) == "none"
     ),
+    pairOfGradients_(pairGradient::serves(mesh, "grad(p)")),
     flowRate_(findFlowRate()),
     outer_(0),
     bandOnly_(false),
@@ -76,8 +51,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     }
 
     checkSettings();
-    dp_ = newIncrement(p_);
-    mesh_.setFluxRequired(dp_->name());
+    projection_.reset(new projection(p_, pRefCell));
     compat::setFinalIteration(mesh_, true);
 
     if (bodies_->moving())

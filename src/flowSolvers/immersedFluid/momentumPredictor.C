@@ -65,6 +65,40 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
 }
 
 
+void Foam::flowSolvers::immersedFluid::addTransport(fvVectorMatrix& eqn)
+{
+    if (uniformViscosity_ && !transport_.valid())
+    {
+        transport_.reset
+        (
+            new linearTransport
+            (
+                U_,
+                stokes_ ? word() : word("div(phi,U)"),
+                "laplacian(" + viscosity().name() + ',' + U_.name() + ')'
+            )
+        );
+    }
+
+    if (transport_.valid() && transport_->serves())
+    {
+        transport_->add
+        (
+            stokes_ ? nullptr : &phi_,
+            gMax(viscosity().primitiveField()),
+            eqn
+        );
+        return;
+    }
+
+    if (!stokes_)
+    {
+        eqn += fvm::div(phi_, U_);
+    }
+    eqn += divDevSigma();
+}
+
+
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::flowSolvers::immersedFluid::assembleMomentum()
 {
@@ -84,11 +118,7 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
     tmp<fvVectorMatrix> tEqn(fvm::ddt(U_));
     fvVectorMatrix& eqn = tEqn.ref();
 
-    if (!stokes_)
-    {
-        eqn += fvm::div(phi_, U_);
-    }
-    eqn += divDevSigma();
+    addTransport(eqn);
 
     if (rotating)
     {
@@ -259,13 +289,20 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     bodies_->updateResistance(ddt, A0_(), viscosity());
 
-    fvVectorMatrix UEqn(tUEqn());
+    fvVectorMatrix& UEqn = tUEqn.ref();
 
-    const tmp<vectorField> tdrive(drive());
+    {
+        const tmp<vectorField> tdrive(drive());
 
-    UEqn.source() -= mesh_.V()*tdrive();
-    bodies_->region().penalise(A0_(), tdrive(), UEqn);
+        source0_ = UEqn.source();
+        UEqn.source() -= mesh_.V()*tdrive();
+        bodies_->region().penalise(A0_(), tdrive(), UEqn, replaced_);
+    }
     solveMomentum(UEqn);
+
+    // The rows without bodies are needed again: for loads, and in the bands
+    bodies_->region().unpenalise(replaced_, UEqn);
+    UEqn.source() = source0_;
     correctUnresolved(ddt);
 
     fvOptions.correct(U_);

@@ -15,5 +15,5 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
         bodies_->beginStep();
     }
 
-    bodies_->predict();
+    bodies_->predict(outer_ > 1);
 }

@@ -6,7 +6,7 @@
 #include "findRefCell.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
-#include "fvmLaplacian.H"
+#include "pairGradient.H"
 #include "profiling.H"
 #include "smoothedFlux.H"
 
@@ -37,9 +37,9 @@ Foam::flowSolvers::immersedFluid::predictImmersedFlux()
     MRF.makeRelative(tphi.ref());
     bodies_->region().shieldFlux(tphi.ref());
 
-    if (dp_->needReference())
+    if (p_.needReference())
     {
-        adjustPhi(tphi.ref(), U_, dp_());
+        adjustPhi(tphi.ref(), U_, p_);
     }
 
     constrainPressure(p_, U_, tphi(), tau, MRF);
@@ -55,30 +55,43 @@ void Foam::flowSolvers::immersedFluid::project
     const volScalarField& divPhi
 )
 {
-    volScalarField& dp = dp_();
-
-    // In later iterations the increment is small: its last value is no guess
-    dp = dimensionedScalar(dp.dimensions(), Zero);
+    projection_->begin();
 
     while (pimple_.correctNonOrthogonal())
     {
-        fvScalarMatrix dpEqn
+        projection_->solve
         (
-            fvm::laplacian(tau, dp, "laplacian((1|A(U)),p)") == divPhi
-        );
-
-        dpEqn.setReference
-        (
-            pRefCell,
+            mesh_.solver(p_.select(true)),
+            divPhi,
+            tau,
             pRefValue - getRefCellValue(p_, pRefCell)
         );
-        dpEqn.solve(mesh_.solver(p_.select(true)));
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            phi_ = phiHbyA - dpEqn.flux();
+            phi_ = phiHbyA - tau*projection_->flux();
         }
     }
+}
+
+
+void Foam::flowSolvers::immersedFluid::setGradients
+(
+    const scalar tau,
+    vectorField& dU
+)
+{
+    const volScalarField& dp = projection_->dp();
+
+    if (pairOfGradients_ && gradP_.valid())
+    {
+        pairGradient::set(p_, dp, gradP_.ref(), dU);
+        dU *= tau;
+        return;
+    }
+
+    gradP_ = fvc::grad(p_);
+    dU = tau*fvc::grad(dp, "grad(p)")().primitiveField();
 }
 
 
@@ -110,7 +123,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const ddtCoefficients ddt(mesh_, U_.name());
     const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
-    const volScalarField& dp = dp_();
+    const volScalarField& dp = projection_->dp();
 
     const tmp<surfaceScalarField> tphiHbyA(predictImmersedFlux());
     const surfaceScalarField& phiHbyA = tphiHbyA();
@@ -121,12 +134,9 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     p_.primitiveFieldRef() += dp.primitiveField()
       - viscosity().primitiveField()*divPhi.primitiveField();
     p_.correctBoundaryConditions();
-    gradP_ = fvc::grad(p_);
 
-    vectorField dU
-    (
-        tau.value()*fvc::grad(dp, "grad(p)")().primitiveField()
-    );
+    vectorField dU;
+    setGradients(tau.value(), dU);
     holdFlowRate(tau.value(), dU);
 
     bodyCorrector(ddt, dU);

@@ -9,20 +9,30 @@
 #include "fvcGrad.H"
 #include "fvcMeshPhi.H"
 #include "fvcSnGrad.H"
+#include "fvcSurfaceIntegrate.H"
 #include "fvmLaplacian.H"
 #include "profiling.H"
 
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 {
-    const volScalarField contErr(fvc::div(phi_));
+    const scalarField& V = mesh_.V();
+    scalarField contErr(V.size(), Zero);
+    fvc::surfaceIntegrate(contErr, phi_);
 
-    const scalar sumLocal =
-        runTime_.deltaTValue()
-       *mag(contErr)().weightedAverage(mesh_.V()).value();
+    // Of magnitudes, of values, and of volumes
+    vector sums(Zero);
 
-    const scalar global =
-        runTime_.deltaTValue()*contErr.weightedAverage(mesh_.V()).value();
+    forAll(V, celli)
+    {
+        sums[0] += V[celli]*mag(contErr[celli]);
+        sums[1] += V[celli]*contErr[celli];
+        sums[2] += V[celli];
+    }
+    reduce(sums, sumOp<vector>());
+
+    const scalar sumLocal = runTime_.deltaTValue()*sums[0]/sums[2];
+    const scalar global = runTime_.deltaTValue()*sums[1]/sums[2];
 
     cumulativeContErr.value() += global;
 

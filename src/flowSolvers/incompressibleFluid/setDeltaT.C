@@ -1,10 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "incompressibleFluid.H"
-#include "fvcSurfaceIntegrate.H"
+#include "surfaceFields.H"
 
 namespace
 {
+    //- Sum of |phi| over the faces of each cell, without a field on faces
+    Foam::scalarField sumMag(const Foam::surfaceScalarField& phi)
+    {
+        using namespace Foam;
+
+        const fvMesh& mesh = phi.mesh();
+        const labelUList& owner = mesh.owner();
+        const labelUList& neighbour = mesh.neighbour();
+        scalarField sum(mesh.nCells(), Zero);
+
+        forAll(owner, facei)
+        {
+            sum[owner[facei]] += mag(phi[facei]);
+            sum[neighbour[facei]] += mag(phi[facei]);
+        }
+
+        for (const fvsPatchScalarField& patch : phi.boundaryField())
+        {
+            const labelUList& faceCells = patch.patch().faceCells();
+
+            forAll(patch, i)
+            {
+                sum[faceCells[i]] += mag(patch[i]);
+            }
+        }
+
+        return sum;
+    }
+
+
     //- Largest Courant number of a flux; prints it after the mean
     Foam::scalar courantNo
     (
@@ -17,14 +47,19 @@ namespace
         const fvMesh& mesh = phi.mesh();
         const scalar deltaT = mesh.time().deltaTValue();
 
-        const scalarField sumPhi
-        (
-            fvc::surfaceSum(mag(phi))().primitiveField()
-        );
+        const scalarField& V = mesh.V();
+        const scalarField sumPhi(sumMag(phi));
 
-        const scalar CoNum = 0.5*gMax(sumPhi/mesh.V().field())*deltaT;
-        const scalar meanCoNum =
-            0.5*(gSum(sumPhi)/gSum(mesh.V().field()))*deltaT;
+        scalar largest = 0;
+
+        forAll(V, celli)
+        {
+            largest = max(largest, sumPhi[celli]/V[celli]);
+        }
+
+        const scalar CoNum =
+            0.5*returnReduce(largest, maxOp<scalar>())*deltaT;
+        const scalar meanCoNum = 0.5*(gSum(sumPhi)/gSum(V))*deltaT;
 
         Info<< prefix << "Courant Number mean: " << meanCoNum
             << " max: " << CoNum << endl;

@@ -33,6 +33,12 @@ Foam::smoothedFlux::smoothedFlux
 )
 :
     mesh_(U.mesh()),
+    owner_(mesh_.owner()),
+    neighbour_(mesh_.neighbour()),
+    weights_(mesh_.weights()),
+    deltaCoeffs_(mesh_.nonOrthDeltaCoeffs()),
+    magSf_(mesh_.magSf()),
+    Sf_(mesh_.Sf()),
     U_(U),
     gradP_(gradP),
     p_(p),
@@ -56,15 +62,18 @@ Foam::smoothedFlux::smoothedFlux
 }
 
 
-Foam::scalar Foam::smoothedFlux::internal(const label facei) const
+Foam::scalar Foam::smoothedFlux::internal
+(
+    const label facei,
+    const vector& own,
+    const vector& other
+) const
 {
-    const label o = mesh_.owner()[facei];
-    const label n = mesh_.neighbour()[facei];
-    const scalar w = mesh_.weights()[facei];
-    const vector& Sf = mesh_.Sf()[facei];
-
+    const label o = owner_[facei];
+    const label n = neighbour_[facei];
+    const scalar w = weights_[facei];
     const scalar tau = w*tau_[o] + (1 - w)*tau_[n];
-    scalar snGrad = mesh_.nonOrthDeltaCoeffs()[facei]*(p_[n] - p_[o]);
+    scalar snGrad = deltaCoeffs_[facei]*(p_[n] - p_[o]);
 
     if (correction_)
     {
@@ -72,12 +81,8 @@ Foam::scalar Foam::smoothedFlux::internal(const label facei) const
             (*correction_)[facei] & (w*gradP_[o] + (1 - w)*gradP_[n]);
     }
 
-    const vector mean
-    (
-        w*(U_[o] + tau_[o]*gradP_[o]) + (1 - w)*(U_[n] + tau_[n]*gradP_[n])
-    );
-
-    return (mean & Sf) - tau*snGrad*mesh_.magSf()[facei];
+    return ((w*own + (1 - w)*other) & Sf_[facei])
+      - tau*snGrad*magSf_[facei];
 }
 
 
@@ -87,7 +92,7 @@ Foam::scalar Foam::smoothedFlux::boundary
     const label i
 ) const
 {
-    const vector& Sf = mesh_.Sf().boundaryField()[patchi][i];
+    const vector& Sf = Sf_.boundaryField()[patchi][i];
 
     if (neighbourP_[patchi].empty())
     {
@@ -95,10 +100,10 @@ Foam::scalar Foam::smoothedFlux::boundary
     }
 
     const label o = mesh_.boundary()[patchi].faceCells()[i];
-    const scalar w = mesh_.weights().boundaryField()[patchi][i];
+    const scalar w = weights_.boundaryField()[patchi][i];
     const vector& gradP = neighbourGradP_[patchi][i];
     const scalar tau = w*tau_[o] + (1 - w)*neighbourTau_[patchi][i];
-    scalar snGrad = mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi][i]
+    scalar snGrad = deltaCoeffs_.boundaryField()[patchi][i]
        *(neighbourP_[patchi][i] - p_[o]);
 
     if (correction_)
@@ -109,20 +114,28 @@ Foam::scalar Foam::smoothedFlux::boundary
 
     const vector mean
     (
-        w*(U_[o] + tau_[o]*gradP_[o])
+        w*smoothed(o)
       + (1 - w)*(neighbourU_[patchi][i] + neighbourTau_[patchi][i]*gradP)
     );
 
-    return (mean & Sf)
-      - tau*snGrad*mesh_.magSf().boundaryField()[patchi][i];
+    return (mean & Sf) - tau*snGrad*magSf_.boundaryField()[patchi][i];
 }
 
 
 void Foam::smoothedFlux::set(surfaceScalarField& phi) const
 {
+    // Once for all faces of a cell
+    vectorField all(mesh_.nCells());
+
+    forAll(all, celli)
+    {
+        all[celli] = smoothed(celli);
+    }
+
     forAll(phi, facei)
     {
-        phi[facei] = internal(facei);
+        phi[facei] =
+            internal(facei, all[owner_[facei]], all[neighbour_[facei]]);
     }
 
     forAll(phi.boundaryField(), patchi)
@@ -149,7 +162,12 @@ void Foam::smoothedFlux::set
     {
         if (mesh_.isInternalFace(facei))
         {
-            phi[facei] = internal(facei);
+            phi[facei] = internal
+            (
+                facei,
+                smoothed(owner_[facei]),
+                smoothed(neighbour_[facei])
+            );
             continue;
         }
 

@@ -4,39 +4,10 @@
 
 namespace
 {
-
-//- Sizes of cells, and of faces, by their labels
-struct cellSize
-{
-    const Foam::cellSearch& search;
-
-    Foam::scalar max(const Foam::label celli) const
-    {
-        return search.hMax(celli);
-    }
-
-    Foam::scalar along(const Foam::label celli, const Foam::vector& n) const
-    {
-        return search.h(celli, n);
-    }
-};
-
-struct faceSize
-{
-    const Foam::cellSearch& search;
-
-    Foam::scalar max(const Foam::label facei) const
-    {
-        return search.faceHMax(facei);
-    }
-
-    Foam::scalar along(const Foam::label facei, const Foam::vector& n) const
-    {
-        return search.faceH(facei, n);
-    }
-};
-
-} // End anonymous namespace
+    //- Part of a body's width that its surface follows it without being
+    //  evaluated: errors, over the width, are of the order of its square
+    const Foam::scalar maxFollowed = 0.0025;
+}
 
 
 Foam::bodyRegion::bodyRegion(const label bodyi, const vector& shift)
@@ -46,7 +17,8 @@ Foam::bodyRegion::bodyRegion(const label bodyi, const vector& shift)
     searchCentre_(Zero),
     searchMargin_(-1),
     position_(point::max),
-    orientation_(quaternion::zero)
+    orientation_(quaternion::zero),
+    followed_(0)
 {}
 
 
@@ -87,6 +59,17 @@ void Foam::bodyRegion::search
 
     nearCells_ = inReach;
     nearFaces_ = search.facesOf(nearCells_);
+    nearCellH_.setSize(nearCells_.size());
+    nearFaceH_.setSize(nearFaces_.size());
+
+    forAll(nearCells_, i)
+    {
+        nearCellH_[i] = min(search.hMax(nearCells_[i]), hCap);
+    }
+    forAll(nearFaces_, i)
+    {
+        nearFaceH_[i] = min(search.faceHMax(nearFaces_[i]), hCap);
+    }
 }
 
 
@@ -107,13 +90,14 @@ Foam::pointField Foam::bodyRegion::relative
 }
 
 
-template<class Size>
+template<class SizeAlong>
 void Foam::bodyRegion::select
 (
     const immersedBody& body,
     const labelUList& labels,
     const UList<point>& centres,
-    const Size& size,
+    const scalarField& sizes,
+    const SizeAlong& sizeAlong,
     const scalar bandWidth,
     DynamicList<label>& inBand,
     DynamicList<scalar>& d,
@@ -127,18 +111,19 @@ void Foam::bodyRegion::select
 
     inBand.clear();
     d.clear();
+    h.clear();
 
     forAll(labels, i)
     {
-        if (allD[i] < bandWidth*min(size.max(labels[i]), hCap))
+        if (allD[i] < bandWidth*sizes[i])
         {
             inBand.append(labels[i]);
             d.append(allD[i]);
+            h.append(sizes[i]);
         }
     }
 
     n.setSize(inBand.size());
-    h.setSize(inBand.size());
     body.normal(relative(centres, inBand), n);
 
     // Where the cells are thin along the normal the band is narrower
@@ -147,10 +132,9 @@ void Foam::bodyRegion::select
     forAll(inBand, i)
     {
         // No normal at the centre of a round body
-        const scalar along = magSqr(n[i]) > 0.5
-          ? size.along(inBand[i], n[i])
-          : size.max(inBand[i]);
-        const scalar hi = min(along, hCap);
+        const scalar hi = magSqr(n[i]) > 0.5
+          ? min(sizeAlong(inBand[i], n[i]), hCap)
+          : h[i];
 
         if (d[i] < bandWidth*hi)
         {
@@ -169,22 +153,70 @@ void Foam::bodyRegion::select
 }
 
 
-bool Foam::bodyRegion::update
-(
-    const immersedBody& body,
-    const cellSearch& search,
-    const scalar bandWidth
-)
+bool Foam::bodyRegion::follow(const immersedBody& body, const fvMesh& mesh)
 {
     const bodyState& state = body.state();
+    const vector move(state.position - position_);
+    const quaternion turn(state.orientation*conjugate(orientation_));
+    const vector angle((turn.w() < 0 ? -2 : 2)*turn.v());
+    const scalar far =
+        followed_ + mag(move) + mag(angle)*body.shape().boundingRadius();
 
-    if (state.position == position_ && state.orientation == orientation_)
+    if (searchMargin_ < 0 || far > maxFollowed*body.shape().width())
     {
         return false;
     }
 
+    followed_ = far;
+    const point before(position_ + shift_);
+
+    forAll(cells, i)
+    {
+        const vector r(mesh.cellCentres()[cells[i]] - before);
+        distance[i] -= normal[i] & (move + (angle^r));
+    }
+    forAll(faces, i)
+    {
+        const vector r(mesh.faceCentres()[faces[i]] - before);
+        faceDistance[i] -= faceNormal[i] & (move + (angle^r));
+    }
+
     position_ = state.position;
     orientation_ = state.orientation;
+
+    return true;
+}
+
+
+bool Foam::bodyRegion::update
+(
+    const immersedBody& body,
+    const cellSearch& search,
+    const scalar bandWidth,
+    const bool again
+)
+{
+    const bodyState& state = body.state();
+
+    // A new time step begins with what a restart would find
+    if
+    (
+        (again || followed_ == 0)
+     && state.position == position_
+     && state.orientation == orientation_
+    )
+    {
+        return false;
+    }
+
+    if (again && follow(body, search.mesh()))
+    {
+        return true;
+    }
+
+    position_ = state.position;
+    orientation_ = state.orientation;
+    followed_ = 0;
 
     if
     (
@@ -199,13 +231,18 @@ bool Foam::bodyRegion::update
 
     select
     (
-        body, nearCells_, mesh.cellCentres(), cellSize{search}, bandWidth,
-        cells, distance, normal, h
+        body, nearCells_, mesh.cellCentres(), nearCellH_,
+        [&](const label celli, const vector& n) { return search.h(celli, n); },
+        bandWidth, cells, distance, normal, h
     );
     select
     (
-        body, nearFaces_, mesh.faceCentres(), faceSize{search}, bandWidth,
-        faces, faceDistance, faceNormal, faceH
+        body, nearFaces_, mesh.faceCentres(), nearFaceH_,
+        [&](const label facei, const vector& n)
+        {
+            return search.faceH(facei, n);
+        },
+        bandWidth, faces, faceDistance, faceNormal, faceH
     );
 
     c4.setSize(cells.size());
@@ -239,6 +276,8 @@ bool Foam::bodyRegion::clear()
     position_ = point::max;
     nearCells_.clear();
     nearFaces_.clear();
+    nearCellH_.clear();
+    nearFaceH_.clear();
 
     for (DynamicList<label>* labels : {&cells, &faces})
     {

@@ -58,12 +58,12 @@ void Foam::immersedBodies::predictPoses()
 }
 
 
-void Foam::immersedBodies::predict()
+void Foam::immersedBodies::predict(const bool again)
 {
     addProfiling(predict, "immersedBodies::predict");
 
     predictPoses();
-    region_.updateGeometry(bodies_);
+    region_.updateGeometry(bodies_, false, again);
     unresolved_->update(bodies_, h_);
 }
 

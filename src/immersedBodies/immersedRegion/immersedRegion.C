@@ -162,7 +162,8 @@ void Foam::immersedRegion::remove(const label bodyi)
 void Foam::immersedRegion::updateGeometry
 (
     const PtrList<immersedBody>& bodies,
-    bool changed
+    bool changed,
+    const bool again
 )
 {
     updateImages(bodies);
@@ -172,7 +173,7 @@ void Foam::immersedRegion::updateGeometry
         const immersedBody& body = bodies[region.body()];
         const bool moved =
             body.resolved()
-          ? region.update(body, search_, resistance_->bandWidth())
+          ? region.update(body, search_, resistance_->bandWidth(), again)
           : region.clear();
 
         changed = moved || changed;

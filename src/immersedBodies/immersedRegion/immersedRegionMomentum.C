@@ -9,7 +9,8 @@ void Foam::immersedRegion::penalise
 (
     const volScalarField& A0,
     const vectorField& gradP,
-    fvVectorMatrix& E
+    fvVectorMatrix& E,
+    replacedCoeffs& replaced
 ) const
 {
     addProfiling(penalise, "immersedBodies::penalise");
@@ -17,6 +18,7 @@ void Foam::immersedRegion::penalise
     const scalarField& V = mesh_.V();
     const scalarField& K = K_;
     const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
     // Both, as the scaled matrix is not symmetric even where E0 is
@@ -25,10 +27,14 @@ void Foam::immersedRegion::penalise
     scalarField& diag = E.diag();
     vectorField& source = E.source();
 
+    replaced.rows.clear();
+    replaced.patches.clear();
+
     for (const label celli : cells_)
     {
         const scalar scale = A0[celli]/(A0[celli] + K[celli]);
 
+        replaced.rows.append(diag[celli]);
         diag[celli] = scale*(diag[celli] + V[celli]*K[celli]);
         source[celli] = scale
            *(
@@ -44,8 +50,12 @@ void Foam::immersedRegion::penalise
         {
             if (facei < nInternal)
             {
-                (mesh_.faceOwner()[facei] == celli ? upper : lower)[facei] *=
-                    scale;
+                scalar& coeff = own[facei] == celli
+                  ? upper[facei]
+                  : lower[facei];
+
+                replaced.rows.append(coeff);
+                coeff *= scale;
                 continue;
             }
 
@@ -54,8 +64,51 @@ void Foam::immersedRegion::penalise
 
             if (i < E.internalCoeffs()[patchi].size())
             {
+                replaced.patches.append(E.internalCoeffs()[patchi][i]);
+                replaced.patches.append(E.boundaryCoeffs()[patchi][i]);
                 E.internalCoeffs()[patchi][i] *= scale;
                 E.boundaryCoeffs()[patchi][i] *= scale;
+            }
+        }
+    }
+}
+
+
+void Foam::immersedRegion::unpenalise
+(
+    const replacedCoeffs& replaced,
+    fvVectorMatrix& E
+) const
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    scalarField& lower = E.lower();
+    scalarField& upper = E.upper();
+    scalarField& diag = E.diag();
+    label row = 0, patch = 0;
+
+    for (const label celli : cells_)
+    {
+        diag[celli] = replaced.rows[row++];
+
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if (facei < nInternal)
+            {
+                (own[facei] == celli ? upper : lower)[facei] =
+                    replaced.rows[row++];
+                continue;
+            }
+
+            const label patchi = patchOf(facei);
+            const label i = facei - patches[patchi].start();
+
+            if (i < E.internalCoeffs()[patchi].size())
+            {
+                E.internalCoeffs()[patchi][i] = replaced.patches[patch++];
+                E.boundaryCoeffs()[patchi][i] = replaced.patches[patch++];
             }
         }
     }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "projection.H"
+#include "fvmLaplacian.H"
+
+Foam::wordList Foam::projection::patchTypes(const volScalarField& p)
+{
+    wordList types(p.boundaryField().size(), "zeroGradient");
+
+    forAll(types, patchi)
+    {
+        if (p.boundaryField()[patchi].fixesValue())
+        {
+            types[patchi] = "fixedValue";
+        }
+    }
+
+    return types;
+}
+
+
+Foam::projection::projection(const volScalarField& p, const label refCell)
+:
+    dp_
+    (
+        IOobject("dp", p.mesh().time().timeName(), p.mesh()),
+        p.mesh(),
+        dimensionedScalar(p.dimensions(), Zero),
+        patchTypes(p)
+    ),
+    refCell_(refCell),
+    first_(true),
+    corrected_(false)
+{
+    p.mesh().setFluxRequired(dp_.name());
+}
+
+
+void Foam::projection::assemble()
+{
+    equation_.reset
+    (
+        new fvScalarMatrix(fvm::laplacian(dp_, "laplacian((1|A(U)),p)"))
+    );
+    equation_->setReference(refCell_, 0);
+}
+
+
+void Foam::projection::begin()
+{
+    // In later iterations the increment is small: its last value is no guess
+    dp_ = dimensionedScalar(dp_.dimensions(), Zero);
+    first_ = true;
+}
+
+
+void Foam::projection::solve
+(
+    const dictionary& controls,
+    const volScalarField& divPhi,
+    const dimensionedScalar& tau,
+    const scalar reference
+)
+{
+    if (!equation_.valid() || corrected_ || !first_)
+    {
+        assemble();
+    }
+    corrected_ = !first_;
+
+    scalarField& source = equation_->source();
+    const scalarField& V = dp_.mesh().V();
+
+    // From dp = 0 there is nothing to correct for
+    if (first_)
+    {
+        source = Zero;
+    }
+
+    forAll(source, celli)
+    {
+        source[celli] += V[celli]*divPhi[celli]/tau.value();
+    }
+
+    // Half of this diagonal, as setReference has doubled it
+    if (dp_.needReference() && refCell_ >= 0)
+    {
+        source[refCell_] += 0.5*equation_->diag()[refCell_]*reference;
+    }
+
+    equation_->solve(controls);
+    first_ = false;
+}
