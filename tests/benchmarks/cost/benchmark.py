@@ -8,6 +8,7 @@ from bodyCase import BodyCase
 
 sys.path.append(str(Path(__file__).parent))
 
+from picture import draw  # noqa: E402
 from timedRun import TimedRun  # noqa: E402
 from vortices import Box, Tube, bodies, make  # noqa: E402
 
@@ -62,6 +63,8 @@ def table(run, stock):
         for name, time in zip(names, run.parts, strict=True):
             yield run.row(name, time)
         yield run.row("other ms", run.step - sum(run.parts))
+    if run.exchange is not None:
+        yield run.row("MPI ms", run.exchange)
     if run.outers:
         yield run.row("outer iterations", run.outers)
 
@@ -77,7 +80,8 @@ def arguments(mesh, crowds):
 
 
 def rows(folder, quick):
-    """All meshes, solvers and numbers of bodies."""
+    """All meshes, solvers and numbers of bodies, and the figure."""
+    shown = []
     for name, (mesh, crowds) in MESHES.items():
         if quick and name not in QUICK:
             continue
@@ -87,9 +91,12 @@ def rows(folder, quick):
         for ranks in (1,) if quick else (1, 2):
             stock = solve(case, mesh, STOCK, name, ranks)
             yield from table(stock, stock)
+            shown.append((stock, stock))
             for options in arguments(mesh, crowds):
                 run = solve(
                     case, mesh, settings=name, ranks=ranks,
                     **{"command": IMMERSED, **options},
                 )
                 yield from table(run, stock)
+                shown.append((run, stock))
+    draw(shown)

@@ -20,7 +20,7 @@ class TimedRun(Result):
 
     step: time per step [ms]; parts: that of PARTS; memory [kB] per cell, on
     the rank with most; outers: their mean. Times are those of the processor,
-    of the first rank.
+    of the first rank. exchange: time in MPI per step, mean of the ranks [ms].
     """
 
     def __init__(self, case, command, settings, D_over_h, cells, ranks=1):
@@ -32,6 +32,12 @@ class TimedRun(Result):
             deltaT="0.5", endTime=f"{0.5*self.steps}", profiling="{}",
             writeControl="timeStep", writeInterval=WARM,
         )
+        if ranks > 1:
+            case.replace(
+                "system/controlDict", "functions\n{",
+                "functions\n{ mpi { type parProfiling; "
+                "libs (utilityFunctionObjects); }",
+            )
         self.memory = self.execute(case, command, ranks)/cells
         log = (case.path/"log").read_text()
         times = [
@@ -41,6 +47,7 @@ class TimedRun(Result):
         self.outers = sum(map(int, outers))/max(1, len(outers))
         self.cpu = times[-1]
         self.step = 1000*(times[-1] - times[WARM - 1])/steps
+        self.exchange = self.time_in_mpi(log, steps)
         self.parts = self.split(case.path/("processor0" if ranks > 1 else ""))
 
     @staticmethod
@@ -56,6 +63,16 @@ class TimedRun(Result):
         if status:
             raise FoamError(f"{' '.join(command)} in {case.path}")
         return ranks*usage.ru_maxrss
+
+    @staticmethod
+    def time_in_mpi(log, steps):
+        """ms per step, from the sums that parProfiling prints after each."""
+        sums = [
+            float(reduced) + float(others) for reduced, others in re.findall(
+                r"reduce    : avg = (\S+)s[\s\S]*?all-all   : avg = (\S+)s", log
+            )
+        ]
+        return 1000*(sums[-1] - sums[WARM - 1])/steps if sums else None
 
     def split(self, folder):
         """Time per step of PARTS [ms], from OpenFOAM's own profiling."""
