@@ -87,6 +87,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     const bool posed = outer_ > 1 || bodies_->window().comoving();
 
     converged_ = !bodies_->moving()
+     || bodies_->atRest()
      || !bodies_->nResolved()
      || bodies_->steady().active()
      || (posed && change <= bodies_->tolerance()*speed);

@@ -13,8 +13,12 @@ void Foam::flowSolvers::immersedFluid::reportProgress() const
 
     Info<< "Progress: step " << runTime_.timeIndex()
         << ", Courant number " << CoNum
-        << ", bodies " << bodies_->size()
-        << ", outer iterations " << outer_
+        << ", bodies " << bodies_->size();
+    if (bodies_->nAsleep())
+    {
+        Info<< " (" << bodies_->nAsleep() << " asleep)";
+    }
+    Info<< ", outer iterations " << outer_
         << (converged_ ? "" : " (not converged)")
         << ", slip " << bodies_->slip() << " m/s"
         << ", time left "

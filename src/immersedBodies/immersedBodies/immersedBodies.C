@@ -47,7 +47,7 @@ bool movesThroughMesh(const Foam::PtrList<Foam::immersedBody>& bodies)
 {
     for (const Foam::immersedBody& body : bodies)
     {
-        if (body.isFree() || !body.isFixed())
+        if (body.isFree() || body.asleep() || !body.isFixed())
         {
             return true;
         }
@@ -101,6 +101,7 @@ Foam::immersedBodies::immersedBodies
             dict.subOrEmptyDict("contact"), rho_, lubrication_()
         )
     ),
+    sleep_(dict, g_, contact_->active(), window_.comoving()),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
     region_
@@ -181,6 +182,33 @@ bool Foam::immersedBodies::anyFree() const
     }
 
     return false;
+}
+
+
+bool Foam::immersedBodies::atRest() const
+{
+    for (const immersedBody& body : bodies_)
+    {
+        if (!body.isFixed())
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+Foam::label Foam::immersedBodies::nAsleep() const
+{
+    label n = 0;
+
+    for (const immersedBody& body : bodies_)
+    {
+        n += body.asleep();
+    }
+
+    return n;
 }
 
 

@@ -44,8 +44,8 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         dict,
         {
             "rho", "resistance", "coupling", "motion", "contact",
-            "lubrication", "window", "steady", "leaving", "injection",
-            "bodies", "grains"
+            "lubrication", "window", "steady", "sleep", "leaving",
+            "injection", "bodies", "grains"
         }
     );
     wordList ofCoupling(unresolvedCoupling::keywords);
@@ -95,6 +95,7 @@ bool Foam::immersedBodies::readState()
 
     passage_->readState(states, bodies_);
     contact_->readState(states);
+    sleep_.readState(states, bodies_);
     h_ = states.lookupOrDefault<scalarList>("cellSizes", scalarList());
 
     return true;
@@ -168,6 +169,13 @@ void Foam::immersedBodies::report(Ostream& os) const
         os  << nl;
     }
 
+    if (sleep_.active())
+    {
+        os  << "    sleep: ";
+        sleep_.report(os);
+        os  << nl;
+    }
+
     if (steady_.active())
     {
         os  << "    steady: ends at a residual of " << steady_.tolerance()
@@ -185,6 +193,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     window_.writeState(os);
     passage_->writeState(os);
     contact_->writeState(os);
+    sleep_.writeState(bodies_, os);
 
     // As text, whatever the format
     os.writeKeyword("cellSizes") << token::BEGIN_LIST;

@@ -155,6 +155,8 @@ bool Foam::immersedBodies::endStep()
         body.endStep(stepRatio());
     }
 
+    sleep_.update(bodies_, periodicity_, mesh_.time().deltaTValue());
+
     bool good = leave();
 
     if (proximity_.check(bodies_, region_, h_, mesh_))

@@ -24,6 +24,7 @@ Foam::immersedBody::immersedBody
     mirrored_(Zero),
     fixed_(false),
     resolved_(true),
+    asleep_(false),
     ambientU_(false),
     ambientOmega_(false),
     wrapped_(Zero),
@@ -51,6 +52,18 @@ void Foam::immersedBody::hold()
 }
 
 
+void Foam::immersedBody::setAsleep(const bool asleep)
+{
+    asleep_ = asleep;
+
+    if (asleep)
+    {
+        state_.U = state_.omega = Zero;
+        restart();
+    }
+}
+
+
 void Foam::immersedBody::enter(const point& position, const bool ambient)
 {
     passing_.clear();
@@ -72,7 +85,8 @@ void Foam::immersedBody::restart()
 bool Foam::immersedBody::isFree() const
 {
     return
-        passing_.empty() && (cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0);
+        passing_.empty() && !asleep_
+     && (cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0);
 }
 
 

@@ -47,6 +47,7 @@ void Foam::contactModels::softSphere::advance
     history_.clear();
     energy_ = oldEnergy_;
     energy_.normalSprings = energy_.tangentialSprings = 0;
+    rememberAsleep(bodies);
 
     if (!search(bodies, h, walls, periods, dt))
     {

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that have settled sleep, and wake when they must."""
+
+import re
+import shutil
+
+import pytest
+
+from bodyCase import BodyCase
+from foamCase import FoamError
+from test_contact import box2d, contact, discs
+
+G = 10
+SLEEP = "sleep { speed 0.03; }"
+EXACT = {
+    "deltaT": 1/128, "writeControl": "timeStep", "writeInterval": 64,
+    "writePrecision": 17, "timePrecision": 15,
+}
+
+
+def settling(folder, bodies, more=SLEEP, name=None, end=1, n=20):
+    """Heavy bodies in a box, gravity downwards."""
+    case = box2d(folder, n, name)
+    (case.path/"constant/g").write_text(
+        "FoamFile { version 2.0; format ascii;"
+        " class uniformDimensionedVectorField; object g; }\n"
+        f"dimensions [0 1 -2 0 0 0 0]; value (0 {-G} 0);\n"
+    )
+    case.bodies(bodies, contact(e=0.3) + more)
+    case.controls(endTime=end, deltaT=0.005)
+    return case
+
+
+def progress(case):
+    """Bodies asleep and outer iterations of each step."""
+    lines = re.findall(
+        r"bodies \d+(?: \((\d+) asleep\))?, outer iterations (\d+)",
+        (case.path/"log.foamRun").read_text(),
+    )
+    return [(int(asleep or 0), int(outer)) for asleep, outer in lines]
+
+
+# Four side by side from wall to wall, and one on them
+HEAP = discs(
+    [(-0.75, -0.74), (-0.25, -0.74), (0.25, -0.74), (0.75, -0.74), (0, -0.3)],
+    radius=0.249, ratio=1000,
+)
+
+
+@pytest.fixture(scope="module")
+def heap(tmp_path_factory):
+    """A heap that falls asleep."""
+    case = settling(tmp_path_factory.mktemp("heap"), HEAP)
+    case.controls(**EXACT)
+    case.solve()
+    return case
+
+
+def fresh(case, folder):
+    """A copy that has not been run."""
+    copy = BodyCase(case, folder)
+    for time in copy.path.glob("[0-9]*"):
+        if time.name != "0":
+            shutil.rmtree(time)
+    shutil.rmtree(copy.path/"postProcessing")
+    return copy
+
+
+def test_heap_falls_asleep_where_it_is(heap, tmp_path):
+    awake = fresh(heap, tmp_path)
+    awake.replace("constant/immersedBodyProperties", SLEEP, "")
+    awake.solve()
+
+    asleep, outers = zip(*progress(heap))
+    assert asleep[-1] == 5 and not progress(awake)[-1][0]
+    assert outers[-1] == 1
+
+    for body in range(5):
+        for key in ("position_x", "position_y"):
+            assert heap.table("motion", body)[key][-1] == pytest.approx(
+                awake.table("motion", body)[key][-1], abs=2e-3*0.5
+            )
+
+
+def test_sleep_survives_a_restart(heap, tmp_path):
+    parts = fresh(heap, tmp_path)
+    assert progress(heap)[63][0] > 0
+    parts.controls(endTime=0.5)
+    parts.solve()
+    parts.controls(endTime=1)
+    parts.solve()
+
+    for file in ("U", "p", "uniform/immersedBodies"):
+        expected = (heap.path/heap.latest_time()/file).read_bytes()
+        assert (parts.path/parts.latest_time()/file).read_bytes() == expected
+
+
+def test_sleep_is_the_same_on_two_ranks(heap, tmp_path):
+    ranks = fresh(heap, tmp_path)
+    ranks.solve(ranks=2)
+
+    assert progress(ranks)[-1] == progress(heap)[-1]
+    for body in range(5):
+        assert ranks.table("motion", body)["position_y"][-1] == pytest.approx(
+            heap.table("motion", body)["position_y"][-1], abs=1e-4
+        )
+
+
+def test_what_falls_on_a_sleeper_wakes_it(tmp_path):
+    # The upper one comes when the lower one sleeps, and hits its side
+    bodies = discs(
+        [(0, -0.75), (0.2, 0.7)], radius=0.25, ratio=1000,
+        velocities=[(0, 0), (0, 2)],
+    )
+    case = settling(tmp_path, bodies)
+    awake = BodyCase(case, tmp_path, "awake")
+    awake.replace("constant/immersedBodyProperties", SLEEP, "")
+    case.solve()
+    awake.solve()
+
+    asleep = [n for n, _ in progress(case)]
+    woken = next(i for i, n in enumerate(asleep) if asleep[i - 1] and not n)
+    gap = abs(
+        case.table("motion", 1)["position_y"][woken]
+        - case.table("motion", 0)["position_y"][woken]
+    ) - 0.5
+    assert max(asleep[:woken]) == 1 and gap < 0.3
+    # Awake it has begun to roll before, in the flow ahead of the other
+    spin, spin_awake = (
+        run.table("motion", 0)["angularVelocity_z"] for run in (case, awake)
+    )
+    assert spin[woken + 20] == pytest.approx(
+        spin_awake[woken + 20] - spin_awake[woken - 1], rel=0.01
+    )
+
+
+def test_sleeper_wakes_when_its_support_goes(tmp_path):
+    plate = (
+        "plate { shape { type box; size (1 0.5 1); } position (0 -0.5 0);"
+        " motion { type prescribed; velocity"
+        " table ((0 (0 0 0)) (0.4 (0 0 0)) (0.401 (1 0 0))); } }\n"
+    )
+    case = settling(
+        tmp_path,
+        plate + discs([(-0.1, 0.002)], radius=0.25, ratio=1000), end=0.6,
+    )
+    case.solve()
+
+    asleep = [n for n, _ in progress(case)]
+    steps = [i for i, n in enumerate(asleep) if n]
+    assert steps and steps[-1] in (79, 80, 81)
+    # Friction takes it along
+    assert case.table("motion", 1)["velocity_x"][-1] > 0.05
+
+
+def test_sleeper_wakes_when_the_fluid_pushes(tmp_path):
+    case = settling(
+        tmp_path, discs([(0, -0.75)], radius=0.25, ratio=1.5), end=0.8
+    )
+    (case.path/"constant/fvOptions").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object fvOptions; }\n"
+        "push { type vectorSemiImplicitSource; timeStart 0.4; duration 9;"
+        " selectionMode points; points ((-0.55 -0.75 0)); volumeMode absolute;"
+        " injectionRateSuSp { U ((0.5 0 0) 0); } }\n"
+    )
+    case.solve()
+
+    asleep = [n for n, _ in progress(case)]
+    steps = [i for i, n in enumerate(asleep) if n]
+    assert steps and 78 <= steps[-1] < 100
+    assert case.table("motion")["velocity_x"][-1] > 0.01
+
+
+@pytest.mark.parametrize("old, new, message", [
+    ("speed 0.03", "sped 0.03", "speed"),
+    ("speed 0.03", "speed -1", "speed"),
+    ("speed 0.03;", "speed 0.03; step 3;", "steps"),
+    ("type softSphere", "type none", "'sleep'.*needs 'contact'"),
+])
+def test_wrong_entries_are_refused(old, new, message, tmp_path):
+    case = settling(tmp_path, discs([(0, -0.5)], radius=0.25))
+    if "none" in new:
+        case.bodies(discs([(0, -0.5)]), "contact { type none; }" + SLEEP)
+    else:
+        case.replace("constant/immersedBodyProperties", old, new)
+    with pytest.raises(FoamError) as error:
+        case.solve()
+    assert re.search(message, str(error.value).replace("\n", " "))
