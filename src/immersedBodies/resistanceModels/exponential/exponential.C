@@ -19,11 +19,12 @@ namespace
 
 using Foam::scalar;
 
-//- Distance times steepness, in cell sizes, where the resistance fades, ends
-const scalar fadeStart = 4, fadeEnd = 6;
+//- Distance times steepness, in cell sizes, where the resistance fades, ends:
+//  what is left out moves the wall by 0.002 cells
+const scalar fadeStart = 4, fadeEnd = 5.5;
 
-//- Arguments of tanh beyond this leave less than 10^-5 of the shield
-const scalar tanhEnd = 6;
+//- Arguments of tanh beyond this leave less than 5 10^-5 of the shield
+const scalar tanhEnd = 5;
 
 //- Cap of the resistance as a multiple of the momentum coefficient
 const scalar cap = 1e6;
