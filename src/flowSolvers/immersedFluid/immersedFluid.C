@@ -33,6 +33,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     ),
     pairOfGradients_(pairGradient::serves(mesh, "grad(p)")),
     flowRate_(findFlowRate()),
+    bodyWalls_(nullptr),
     outer_(0),
     bandOnly_(false),
     converged_(false),
@@ -70,6 +71,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     }
 
     correctViscosity();
+    addBodyWalls();
 
     bodies_->report(Info);
     // Each with a comma and a space before
@@ -97,6 +99,29 @@ Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
     }
 
     return nullptr;
+}
+
+
+void Foam::flowSolvers::immersedFluid::addBodyWalls()
+{
+    if (!fv::bodyWalls::wanted(mesh_))
+    {
+        return;
+    }
+
+    bodyWalls_ = new fv::bodyWalls
+    (
+        bodies_(),
+        U_,
+        momentumTransport->get<word>("simulationType") == "LES"
+    );
+    static_cast<fv::optionList&>(fvOptions).append(bodyWalls_);
+
+    // A file that has changed would be read again, for an entry of each option
+    fvOptions.watchIndices().clear();
+
+    bodyWalls_->update(momentumTransport->nu()());
+    momentumTransport->validate();
 }
 
 
@@ -201,6 +226,10 @@ void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
     else if (!uniformViscosity_)
     {
         correctViscosity();
+        if (bodyWalls_)
+        {
+            bodyWalls_->update(momentumTransport->nu()());
+        }
         momentumTransport->correct();
     }
 }

@@ -45,7 +45,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         {
             "rho", "resistance", "coupling", "motion", "contact",
             "lubrication", "window", "steady", "sleep", "leaving",
-            "injection", "bodies", "grains"
+            "injection", "bodies", "grains", "turbulentWalls"
         }
     );
     wordList ofCoupling(unresolvedCoupling::keywords);

@@ -142,9 +142,13 @@ Foam::scalarField Foam::normalExtrapolation::edgeSlope
 }
 
 
-void Foam::normalExtrapolation::apply(scalarField& f) const
+void Foam::normalExtrapolation::apply
+(
+    scalarField& f,
+    const bool sloped
+) const
 {
-    scalarField slope(edgeSlope(f));
+    scalarField slope(sloped ? edgeSlope(f) : scalarField(f.size(), Zero));
 
     for (label sweep = 0; sweep < nSweeps; ++sweep)
     {

@@ -2,7 +2,6 @@
 """Drag of a cylinder in a channel, where the viscosity is not uniform."""
 
 import dfgChannel
-import turbulence
 from dfgChannel import DIAMETER
 from measure import DEPTH, Run
 from peers.bodyFitted import FittedCase
@@ -12,7 +11,6 @@ FLUIDS = {
     "uniform": (0.2, 5.57953523384),
     "shear-thinning": (0.2, 9.359),
     "shear-thickening": (0.2, 6.629),
-    "kOmegaSST": (1, 2.312),
 }
 COEFFICIENTS = {
     "uniform": "nu0 1e-3; nuInf 1e-3; k 1; n 1;",
@@ -21,11 +19,8 @@ COEFFICIENTS = {
 }
 
 
-def set_fluid(case, fluid, body=""):
-    """Transport of the fluid; body: its patch, if the mesh has one."""
-    if fluid == "kOmegaSST":
-        turbulence.set_model(case, body)
-        return
+def set_fluid(case, fluid):
+    """Transport of the fluid."""
     case.replace(
         "constant/transportProperties", "Newtonian;",
         f"BirdCarreau;\nBirdCarreauCoeffs {{ {COEFFICIENTS[fluid]} }}\n",
@@ -40,28 +35,21 @@ def figures(result, fluid, drag):
 def fitted(folder, fluid, n):
     """Rows of simpleFoam on a mesh fitted to the cylinder."""
     case = FittedCase(folder, f"{fluid}_fitted{n}", n)
-    set_fluid(case, fluid, "cylinder")
-    if fluid == "kOmegaSST":
-        case.replace("0/U", "1.2*pos", f"{6*FLUIDS[fluid][0]}*pos")
-        case.replace("system/fvSolution", "{ U 0.9; }", '{ ".*" 0.7; }')
+    set_fluid(case, fluid)
     result = case.solve("simpleFoam", fluid)
     if result:
         yield from figures(result, fluid, case.history()[1][-1])
 
 
-def immersed(folder, fluid, cells, model="exponential", inside=False):
-    """Rows of our solver; inside: k and omega fixed in the body."""
+def immersed(folder, fluid, cells, model="exponential"):
+    """Rows of our solver."""
     settings = fluid
     if model != "exponential":
         settings = f"{fluid} {model}"
-    if inside:
-        settings = f"{fluid}, fixed inside"
     speed = FLUIDS[fluid][0]
-    name = f"{settings.replace(',', '').replace(' ', '_')}_D{cells}"
+    name = f"{settings.replace(' ', '_')}_D{cells}"
     case, n = dfgChannel.make(folder, name, cells, speed)
     set_fluid(case, fluid)
-    if inside:
-        turbulence.fix_inside(case, DIAMETER/cells)
     case.replace(
         "system/fvSchemes", "    default             none;\n",
         "    default             none;\n"
@@ -82,24 +70,16 @@ def immersed(folder, fluid, cells, model="exponential", inside=False):
     if run.failed:
         yield run.diverged()
         return
-    # The mean, as the turbulent one may shed vortices
-    forces = case.table("forces")
-    part = forces["time"] > 0.8*forces["time"][-1]
-    yield from figures(
-        run, fluid, forces["fluidForce_x"][part].mean()/DEPTH
-    )
+    force = case.table("forces")["fluidForce_x"][-1]
+    yield from figures(run, fluid, force/DEPTH)
 
 
 def rows(folder, quick):
     for fluid in FLUIDS:
-        turbulent = fluid == "kOmegaSST"
         for n in (24,) if quick else (24, 48):
             yield from fitted(folder, fluid, n)
-        for cells in (10,) if quick and turbulent else (10, 20):
+        for cells in (10, 20):
             yield from immersed(folder, fluid, cells)
-            if turbulent:
-                yield from immersed(folder, fluid, cells, inside=True)
-            else:
-                yield from immersed(folder, fluid, cells, "distanceWeighted")
-        if not quick and not turbulent:
+            yield from immersed(folder, fluid, cells, "distanceWeighted")
+        if not quick:
             yield from immersed(folder, fluid, 40)

@@ -60,34 +60,3 @@ boundaryField
     case.replace(
         "system/fvSolution", '"(U|UFinal)"', '"(U|k|omega)(Final)?"'
     )
-
-
-def fix_inside(case, h):
-    """k and omega in the cells of the body as at a wall, by fvOptions: with
-    omega of a wall at the distance of half a cell."""
-    omega = 6*NU/(BETA1*(0.5*h)**2)
-    (case.path / "system/topoSetDict").write_text(
-        header("dictionary", "topoSetDict") + """
-actions
-(
-    {
-        name inside; type cellSet; action new; source cylinderToCell;
-        p1 (0.2 0.2 -1); p2 (0.2 0.2 1); radius 0.05;
-    }
-    {
-        name inside; type cellZoneSet; action new; source setToCellZone;
-        set inside;
-    }
-);
-""")
-    case.run("topoSet")
-    (case.path / "constant/fvOptions").write_text(
-        header("dictionary", "fvOptions") + f"""
-inside
-{{
-    type            scalarFixedValueConstraint;
-    selectionMode   cellZone;
-    cellZone        inside;
-    fieldValues     {{ k 1e-12; omega {omega:.6g}; }}
-}}
-""")
