@@ -99,7 +99,8 @@ def test_ranks(tmp_path):
                      "relTol 1e-9")
         case.solve(ranks, n)
         forces.append(case.table("forces")["fluidForce_x"])
-    assert forces[1] == pytest.approx(forces[0], rel=1e-5)
+    # The processors meet in the middle of the cylinder
+    assert np.abs(forces[1] - forces[0]).max() < 1e-4*forces[0].max()
 
 
 MOTION = "motion { type prescribed; velocity (0.3 0.11 0); }"
