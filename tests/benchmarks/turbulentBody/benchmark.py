@@ -46,8 +46,13 @@ def cpu(log):
 def street(result, t, drag, lift):
     """Rows of mean drag and of lift, in the last third of a run."""
     part = t > 2*t[-1]/3
-    yield result.row("C_D, mean", 2*drag[part].mean()/DIAMETER, DRAG)
-    yield result.row("C_L, rms", 2*lift[part].std()/DIAMETER, LIFT)
+    known = "kOmegaSST" in result.settings
+    yield result.row(
+        "C_D, mean", 2*drag[part].mean()/DIAMETER, DRAG if known else None
+    )
+    yield result.row(
+        "C_L, rms", 2*lift[part].std()/DIAMETER, LIFT if known else None
+    )
 
 
 def fitted(folder, n):
