@@ -11,11 +11,14 @@ from boxMesh import graded
 from measure import Run, set_viscosity
 
 RATIO, DRY = 8, 0.97
-STOKES = (27, 50, 152)
+# As of a speed of one; the last but one for the quick run
+STOKES = (11, 27, 36, 50, 85, 152, 540)
 START, HEIGHT, WIDTH = 5, 9, 6
-# Over D: gaps at which the speed is taken, of the impact and of the rebound
-GAP, REBOUND = 0.25, 0.05
-FILM = "leadingOrder; roughness 1e-4;"
+# Over D: the gap at which the speed of the impact is taken, the way in the time
+# of which that of the rebound is, other gaps for the latter, and the least height
+GAP, WINDOW, GAPS, LEAST = 0.25, 0.5, (0.05, 0.25), 0.01
+FILM = "leadingOrder;"
+SAFE = str.maketrans(" /", "__")
 
 U = """
     wallBelow { type noSlip; }
@@ -44,16 +47,16 @@ value           ({:.6g} 0 0);
 """
 
 
-def gravity(reynolds):
+def gravity(reynolds, ratio):
     """That of a terminal velocity of one (Schiller & Naumann 1935), D = 1."""
     drag = 24/reynolds*(1 + 0.15*reynolds**0.687)
-    return -0.75*drag/(RATIO - 1)
+    return -0.75*drag/(ratio - 1)
 
 
-def make_case(folder, name, stokes, cells, courant, contact, film):
+def make_case(folder, name, stokes, cells, courant, contact, film, ratio):
     """The case, and its number of cells."""
-    h, reynolds = 1/cells, 9*stokes/RATIO
-    case = BodyCase("tube", folder, f"{name}_D{cells}".replace(" ", "_"))
+    h, reynolds = 1/cells, 9*stokes/ratio
+    case = BodyCase("tube", folder, f"{name}_D{cells}".translate(SAFE))
     for field, conditions in (("U", U), ("p", P)):
         path = case.path / "0" / field
         head = path.read_text().split("boundaryField", 1)[0]
@@ -68,12 +71,14 @@ def make_case(folder, name, stokes, cells, courant, contact, film):
     case.run("blockMesh")
 
     set_viscosity(case, 1/reynolds)
-    (case.path / "constant/g").write_text(GRAVITY.format(gravity(reynolds)))
+    (case.path / "constant/g").write_text(
+        GRAVITY.format(gravity(reynolds, ratio))
+    )
     case.bodies(f"""
         sphere
         {{
             shape       {{ type sphere; radius 0.5; }}
-            densityRatio {RATIO};
+            densityRatio {ratio};
             position    ({START} 0 0);
             velocity    (-1 0 0);
         }}
@@ -83,53 +88,71 @@ def make_case(folder, name, stokes, cells, courant, contact, film):
     return case, n
 
 
+def rebound_speed(t, x, u, turn, impact):
+    """Mean over the time in which a sphere with the speed of the impact goes
+    WINDOW, from where this one leaves the wall."""
+    free = turn + np.flatnonzero(x[turn:] > 0)[0]
+    span = WINDOW/impact
+    return np.interp(t[free] - x[free]/u[free] + span, t, x)/span
+
+
 def bounce(folder, name, stokes, cells, courant=0.3, contact="",
-           film=FILM):
+           film=FILM, ratio=RATIO):
     """Rows of one fall."""
-    case, n = make_case(folder, name, stokes, cells, courant, contact, film)
+    case, n = make_case(
+        folder, name, stokes, cells, courant, contact, film, ratio
+    )
     run = Run(case, name, cells, n, may_fail=True)
     if run.failed:
         return [run.diverged()]
 
     motion = case.table("motion")
-    x, u = motion["position_x"] - 0.5, motion["velocity_x"]
+    t, x, u = motion["time"], motion["position_x"] - 0.5, motion["velocity_x"]
     turn = np.flatnonzero(u > 0)
-    if not len(turn):
-        return [run.row("no bounce: smallest gap over D", x.min())]
-    down, up = slice(None, turn[0]), slice(turn[0] - 1, None)
 
     # Before the wall slows it down
+    down = slice(None, turn[0] if len(turn) else None)
     impact = -u[down][x[down] > GAP][-1]
-    reached = stokes*impact
-    expected = math.exp(-35/reached)
-    found = [run.row("St", reached)]
-    for gap in (REBOUND, GAP):
+    found = [run.row("St", stokes*impact)]
+    if not len(turn) or x[turn[0]:].max() < LEAST:
+        return [*found, run.row("e/e_dry: none", 0)]
+
+    expected = math.exp(-35/(stokes*impact))
+    leaves = rebound_speed(t, x, u, turn[0], impact)
+    found.append(run.row("e/e_dry", leaves/impact/DRY, expected))
+    up = slice(turn[0] - 1, None)
+    for gap in GAPS:
         beyond = np.flatnonzero(x[up] > gap)
         if len(beyond):
             i = turn[0] - 1 + beyond[0]
-            leaves = np.interp(gap, x[i - 1:i + 1], u[i - 1:i + 1])
+            speed = np.interp(gap, x[i - 1:i + 1], u[i - 1:i + 1])
             found.append(run.row(
-                f"e/e_dry, at {gap} D", leaves/impact/DRY, expected
+                f"speed at a gap of {gap} D instead", speed/impact/DRY
             ))
     found.append(run.row("rebound over D", x[up].max()))
     return found
 
 
 def rows(folder, quick):
-    for stokes in STOKES[-1:] if quick else STOKES:
+    for stokes in STOKES[-2:-1] if quick else STOKES:
         yield from bounce(folder, f"St {stokes}", stokes, 8)
     if quick:
         return
-    for stokes in STOKES:
+    for stokes in STOKES[1:]:
         yield from bounce(
-            folder, f"St {stokes}, roughness 1e-3", stokes, 8,
-            film="leadingOrder;"
+            folder, f"St {stokes}, density ratio 3", stokes, 8, ratio=3
+        )
+    stokes = 50
+    for more in (27, stokes):
+        yield from bounce(folder, f"St {more}", more, 12)
+    for more in (stokes, 152):
+        yield from bounce(
+            folder, f"St {more}, roughness 1e-3", more, 8,
+            film="leadingOrder; roughness 1e-3;"
         )
         yield from bounce(
-            folder, f"St {stokes}, no lubrication", stokes, 8, film="none;"
+            folder, f"St {more}, no lubrication", more, 8, film="none;"
         )
-    stokes = STOKES[1]
-    yield from bounce(folder, f"St {stokes}", stokes, 12)
     yield from bounce(
         folder, f"St {stokes}, half the time step", stokes, 8, courant=0.15
     )

@@ -49,7 +49,7 @@ Foam::lubricationModels::leadingOrder::leadingOrder
 )
 :
     twoD_(space.twoD()),
-    roughness_(keywords::positiveOr(dict, "roughness", 0.001)),
+    roughness_(keywords::positiveOr(dict, "roughness", 1e-4)),
     nu_(readNu(dict, nu)*(twoD_ ? space.depth() : 1)),
     c_(twoD_ ? 0.65 : 0.5),
     b_(twoD_ ? 0.68 : 0.72)
