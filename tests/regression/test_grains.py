@@ -41,7 +41,12 @@ def test_a_case_takes_a_grain_from_the_library(grain, tmp_path):
         f"one {{ $:grains.{grain}.body; position (0 0 {-2.4*R}); }}", f"""
         #include "$GRAINFOAM_DIR/etc/grains"
         rho     1.2;
-        contact {{ type softSphere; $:grains.{grain}.contact; }}
+        contact
+        {{
+            type softSphere; $:grains.{grain}.contact;
+            pairs {{ $:grains.{grain}.pairs; }}
+            walls {{ ".*" steel; }}
+        }}
         injection
         {{
             seeds

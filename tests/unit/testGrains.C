@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "testTools.H"
+#include "contactMaterials.H"
 #include "distributionModel.H"
 #include "Fstream.H"
 #include "mathematicalConstants.H"
@@ -91,6 +92,23 @@ TEST_CASE("Grains of the library are as heavy and fast as grains", "[grains]")
         CHECK(contact.get<scalar>("restitution") < 0.9);
         CHECK(contact.get<scalar>("friction") > 0.1);
         CHECK(contact.get<scalar>("friction") < 0.7);
+
+        // As it is on steel, to the width of what is measured
+        const contactMaterials materials
+        (
+            all.subDict(one.first), contactCoefficients(1, 0)
+        );
+        const label number =
+            materials.number(body.get<word>("material"), body);
+        const contactCoefficients& steel =
+            materials.pair(number, materials.number("steel"));
+
+        CHECK(steel.restitution == contact.get<scalar>("restitution"));
+        CHECK
+        (
+            steel.friction
+         == Approx(contact.get<scalar>("friction")).epsilon(0.1)
+        );
     }
 }
 

@@ -106,6 +106,16 @@ Foam::robinVelocityFvPatchVectorField::wallValue() const
 
 
 Foam::tmp<Foam::vectorField>
+Foam::robinVelocityFvPatchVectorField::wallVelocity() const
+{
+    return alongWall
+    (
+        wallVelocity_.value(patch(), db().time().timeOutputValue(), Zero)
+    );
+}
+
+
+Foam::tmp<Foam::vectorField>
 Foam::robinVelocityFvPatchVectorField::snGrad() const
 {
     return (wallValue() - patchInternalField())*patch().deltaCoeffs();

@@ -125,6 +125,7 @@ Foam::immersedBodies::immersedBodies
     if (contact_->active())
     {
         walls_.reset(new wallFacets(mesh, space_));
+        contact_->readMaterials(dict_, walls_());
     }
 
     nOuterCorrectors_ = label

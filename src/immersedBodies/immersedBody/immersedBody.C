@@ -23,6 +23,7 @@ Foam::immersedBody::immersedBody
     freeOmega_(space.rotation()),
     mirrored_(Zero),
     fixed_(false),
+    material_(dict.lookupOrDefault("material", word::null)),
     resolved_(true),
     asleep_(false),
     ambientU_(false),

@@ -7,7 +7,7 @@
 const Foam::wordList Foam::immersedBody::keywords
 ({
     "shape", "density", "densityRatio", "velocity", "angularVelocity",
-    "constraints", "motion", "coupling"
+    "constraints", "motion", "coupling", "material"
 });
 
 

@@ -43,7 +43,7 @@ Foam::injector::injector
         ({
             "shape", "size", "density", "densityRatio", "velocity",
             "angularVelocity", "constraints", "orientation", "coupling",
-            "gap", "tries"
+            "material", "gap", "tries"
         })
     );
     keywords::check(dict, valid);

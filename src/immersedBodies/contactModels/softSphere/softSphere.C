@@ -23,14 +23,61 @@ Foam::contactModels::softSphere::softSphere
 )
 :
     law_(dict, rho),
+    materials_(dict, law_.coefficients()),
     lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
     wordList valid({"type", "subSteps", "largestOverlap"});
     valid.append(springDashpot::keywords);
+    valid.append(contactMaterials::keywords);
 
     keywords::check(dict, valid);
+}
+
+
+void Foam::contactModels::softSphere::readMaterials
+(
+    const dictionary& properties,
+    const wallFacets& walls
+)
+{
+    if (!materials_.active())
+    {
+        return;
+    }
+
+    wallMaterials_ = materials_.ofWalls(walls.patches());
+
+    for (const char* kind : {"bodies", "injection"})
+    {
+        const dictionary& entries = properties.subOrEmptyDict(kind);
+
+        for (const entry& e : entries)
+        {
+            if (e.isDict() && e.dict().found("material"))
+            {
+                materials_.number(e.dict().get<word>("material"), e.dict());
+            }
+        }
+    }
+}
+
+
+const Foam::contactCoefficients&
+Foam::contactModels::softSphere::coefficients
+(
+    const candidate& c,
+    const contactPoint& point
+) const
+{
+    const label other =
+        c.b >= 0 ? movers_[c.b].material
+      : wallMaterials_.size() && point.patch >= 0
+      ? wallMaterials_[point.patch]
+      : -1;
+
+    return materials_.pair(movers_[c.a].material, other);
 }
 
 

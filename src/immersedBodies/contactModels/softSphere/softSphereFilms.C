@@ -13,7 +13,7 @@ void Foam::contactModels::softSphere::addFilm
     if (c.film.radius > 0 && point.gap < lubrication_.range(c.film.cell))
     {
         const scalar closing =
-            relativeVelocity(c, point.position) & point.normal;
+            relativeVelocity(c, point.position, point.wallU) & point.normal;
 
         films_.append(gapFilm{candidatei, point, closing});
     }
@@ -33,7 +33,7 @@ Foam::vector Foam::contactModels::softSphere::rollingVelocity
 
     if (c.b < 0)
     {
-        U -= 2*a.state.U;
+        U += film.point.wallU - 2*a.state.U;
     }
     else
     {
@@ -200,7 +200,7 @@ void Foam::contactModels::softSphere::lubricate(const scalar h)
                 drag*(1 - 0.5*drag*inverseMass)*magSqr(U);
         };
 
-        const vector U(relativeVelocity(c, p.position));
+        const vector U(relativeVelocity(c, p.position, p.wallU));
         const scalar before = U & p.normal;
         const scalar after = closingAfter(film, before, masses.first(), h);
         const scalar impulse = (before - after)/masses.first();

@@ -89,6 +89,8 @@ Foam::label Foam::contactModels::softSphere::moverOf
         mover m;
 
         m.body = bodyi;
+        m.material =
+            materials_.active() ? materials_.number(body.material()) : -1;
         m.state = start;
         m.acceleration = (end.U - start.U)/dt;
         m.spinRate = (end.omega - start.omega)/dt;
@@ -199,7 +201,11 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
             shortest,
             law_.collisionTime
             (
-                1/inverseMass, dt, approach, radius(bodies, c)
+                materials_.largestRestitution(),
+                1/inverseMass,
+                dt,
+                approach,
+                radius(bodies, c)
             )
         );
 

@@ -32,14 +32,29 @@ void Foam::contactModels::softSphere::drift
 Foam::vector Foam::contactModels::softSphere::relativeVelocity
 (
     const candidate& c,
-    const point& x
+    const point& x,
+    const vector& wallU
 ) const
 {
     const vector U(movers_[c.a].state.velocity(x));
 
     return c.b < 0
-      ? U
+      ? vector(U - wallU)
       : vector(U - movers_[c.b].state.velocity(x - c.shift));
+}
+
+
+Foam::scalar Foam::contactModels::softSphere::radius
+(
+    const PtrList<immersedBody>& bodies,
+    const candidate& c
+) const
+{
+    const scalar R = 0.5*bodies[movers_[c.a].body].shape().width();
+
+    return c.b < 0
+      ? R
+      : min(R, 0.5*bodies[movers_[c.b].body].shape().width());
 }
 
 
@@ -56,7 +71,12 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
         vector spring(c.records[t.record].spring);
         const vector F
         (
-            law_.force(t.contact, relativeVelocity(c, t.position), spring)
+            law_.force
+            (
+                t.contact,
+                relativeVelocity(c, t.position, t.wallU),
+                spring
+            )
         );
         mover& a = movers_[c.a];
 
@@ -120,7 +140,10 @@ void Foam::contactModels::softSphere::sumLosses(const scalar h)
         const vector& n = t.contact.normal;
         const vector U
         (
-            relativeVelocity(candidates_[t.candidate], t.position)
+            relativeVelocity
+            (
+                candidates_[t.candidate], t.position, t.wallU
+            )
         );
 
         energy_.dashpots += h*law_.dashpotPower(t.contact, U & n);
@@ -135,7 +158,7 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
     {
         const candidate& c = candidates_[t.candidate];
         const scalar closing =
-            relativeVelocity(c, t.position) & t.contact.normal;
+            relativeVelocity(c, t.position, t.wallU) & t.contact.normal;
         const scalar overlap = max(0.5*h*closing - t.gap, scalar(0));
 
         energy_.normalSprings += law_.normalEnergy(t.contact, overlap);

@@ -70,20 +70,6 @@ Foam::Pair<Foam::scalar> Foam::contactModels::softSphere::inverseMasses
 }
 
 
-Foam::scalar Foam::contactModels::softSphere::radius
-(
-    const PtrList<immersedBody>& bodies,
-    const candidate& c
-) const
-{
-    const scalar R = 0.5*bodies[movers_[c.a].body].shape().width();
-
-    return c.b < 0
-      ? R
-      : min(R, 0.5*bodies[movers_[c.b].body].shape().width());
-}
-
-
 Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
 (
     const PtrList<immersedBody>& bodies,
@@ -132,7 +118,8 @@ void Foam::contactModels::softSphere::addTouch
 )
 {
     candidate& c = candidates_[candidatei];
-    const scalar closing = relativeVelocity(c, point.position) & point.normal;
+    const scalar closing =
+        relativeVelocity(c, point.position, point.wallU) & point.normal;
     touch t;
 
     meanOverlap
@@ -152,11 +139,13 @@ void Foam::contactModels::softSphere::addTouch
     t.record = &r - c.records.cdata();
     t.position = point.position;
     t.gap = point.gap;
+    t.wallU = point.wallU;
     t.force = Zero;
     t.contact.normal = point.normal;
     t.contact.dt = h;
     t.contact.mass = 1/inverse.first();
     t.contact.tangentialMass = 1/inverse.second();
+    t.contact.coefficients = coefficients(c, point);
 
     if (!r.live())
     {
@@ -166,7 +155,11 @@ void Foam::contactModels::softSphere::addTouch
         (
             law_.collisionTime
             (
-                t.contact.mass, dt, mag(closing), radius(bodies, c)
+                t.contact.coefficients.restitution,
+                t.contact.mass,
+                dt,
+                mag(closing),
+                radius(bodies, c)
             ),
             0.5*subSteps_*h
         );

@@ -30,21 +30,12 @@ Foam::vector inPlane(const Foam::vector& spring, const Foam::vector& n)
 
 Foam::springDashpot::springDashpot(const dictionary& dict, const scalar rho)
 :
-    e_(keywords::positiveOr(dict, "restitution", 0.88)),
-    mu_(dict.lookupOrDefault<scalar>("friction", 0.25)),
+    coefficients_(dict, contactCoefficients{0.88, 0.25}),
     time_(keywords::positiveOr(dict, "collisionTime", 1)),
     stiffness_(keywords::positiveOr(dict, "stiffness", 1)),
     timeSteps_(keywords::positiveOr(dict, "timeSteps", 4)),
     tangentialRatio_(keywords::positiveOr(dict, "tangentialRatio", 1))
 {
-    if (e_ > 1 || mu_ < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "In '" << dict.dictName() << "' 'restitution " << e_
-            << "' must be at most 1 and 'friction " << mu_
-            << "' at least 0" << nl << exit(FatalIOError);
-    }
-
     label nGiven = 0;
     for (const char* key : {"collisionTime", "stiffness", "timeSteps"})
     {
@@ -65,14 +56,15 @@ Foam::springDashpot::springDashpot(const dictionary& dict, const scalar rho)
 }
 
 
-Foam::scalar Foam::springDashpot::square() const
+Foam::scalar Foam::springDashpot::square(const scalar e)
 {
-    return sqr(constant::mathematical::pi) + sqr(log(e_));
+    return sqr(constant::mathematical::pi) + sqr(log(e));
 }
 
 
 Foam::scalar Foam::springDashpot::collisionTime
 (
+    const scalar restitution,
     const scalar mass,
     const scalar dt,
     const scalar speed,
@@ -86,7 +78,7 @@ Foam::scalar Foam::springDashpot::collisionTime
 
     if (stiffness_ > 0)
     {
-        return Foam::sqrt(mass*square()/stiffness_);
+        return Foam::sqrt(mass*square(restitution)/stiffness_);
     }
 
     // Of an elastic collision: overlap = speed T/pi
@@ -100,7 +92,7 @@ Foam::scalar Foam::springDashpot::collisionTime
 
 Foam::scalar Foam::springDashpot::stiffness(const contact& c) const
 {
-    return c.mass*square()/sqr(c.time);
+    return c.mass*square(c.coefficients.restitution)/sqr(c.time);
 }
 
 
@@ -113,7 +105,7 @@ Foam::scalar Foam::springDashpot::tangentialStiffness(const contact& c) const
 
 Foam::scalar Foam::springDashpot::damping(const contact& c) const
 {
-    return -2*c.mass*log(e_)/c.time;
+    return -2*c.mass*log(c.coefficients.restitution)/c.time;
 }
 
 
@@ -159,8 +151,9 @@ Foam::vector Foam::springDashpot::force
         stiffness(c)*c.overlap + damping(c)*closing*c.fraction;
 
     const scalar kt = tangentialStiffness(c);
+    const scalar e = c.coefficients.restitution;
     const scalar gammat =
-        -2*log(e_)/Foam::sqrt(square())*Foam::sqrt(kt*c.tangentialMass);
+        -2*log(e)/Foam::sqrt(square(e))*Foam::sqrt(kt*c.tangentialMass);
 
     const vector Ut(U - closing*c.normal);
     const vector travel(c.dt*c.fraction*Ut);
@@ -169,7 +162,7 @@ Foam::vector Foam::springDashpot::force
     (
        -c.fraction*(kt*(begin + 0.5*travel) + gammat*Ut)
     );
-    const scalar limit = mu_*max(normalForce, scalar(0));
+    const scalar limit = c.coefficients.friction*max(normalForce, scalar(0));
 
     if (mag(trial) <= limit)
     {
@@ -187,7 +180,8 @@ Foam::vector Foam::springDashpot::force
 
 void Foam::springDashpot::report(Ostream& os) const
 {
-    os  << "restitution " << e_ << ", friction " << mu_ << ", collision time ";
+    os  << "restitution " << coefficients_.restitution << ", friction "
+        << coefficients_.friction << ", collision time ";
 
     if (time_ > 0)
     {

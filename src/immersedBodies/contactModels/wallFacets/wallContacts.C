@@ -23,8 +23,7 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
 {
     const point& centre = body.state().position;
     const scalar R = body.shape().boundingRadius();
-    const bool round = body.shape().round();
-    const bool support = body.shape().hasSupport();
+    const bool round = body.shape().round(), support = body.shape().hasSupport();
     pointField surface
     (
         round || support ? pointField() : contactPoint::surface(body)
@@ -37,6 +36,8 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
         const facet& f = facets[i];
         contactPoint& c = result[i];
 
+        c.patch = f.patch;
+        c.wallU = f.U;
         if (round)
         {
             const vector apart
@@ -60,7 +61,6 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
         x.append(f.nearest(centre));
         scalarField gaps(x.size());
         body.distance(x, gaps);
-
         if (support)
         {
             surface = pointField(1, body.support(-f.normal));
@@ -163,7 +163,7 @@ void Foam::wallFacets::blend
     // circle: 3/4, 1/8, 1/8 in the middle, 1/2, 1/2, 0 at the crease
     scalar lowest = range;
     scalar sum = 0, rise = 0;
-    vector normal(Zero);
+    vector normal(Zero), U(Zero);
 
     for (const label i : beside)
     {
@@ -176,14 +176,17 @@ void Foam::wallFacets::blend
         sum += weight;
         rise += weight*higher;
         normal -= weight*f.normal;
+        U += weight*f.U;
     }
 
     const scalar weight = 0.75 - 0.25*sqr(1 - lowest/range);
     sum += weight;
     normal += weight*contact.normal;
+    U += weight*first.U;
 
     contact.gap += rise/sum;
     contact.normal = normal/mag(normal);
+    contact.wallU = U/sum;
     contact.position = centre + (R + contact.gap)*contact.normal;
 }
 
@@ -235,6 +238,7 @@ Foam::DynamicList<Foam::contactPoint> Foam::wallFacets::contacts
             {
                 blend(body, facets, group, contact);
             }
+            contact.wallU -= (contact.wallU & contact.normal)*contact.normal;
             result.append(contact);
         }
 

@@ -66,7 +66,8 @@ Foam::wallFacets::wallFacets
 (
     const UList<pointField>& faces,
     const label nBodies,
-    const geometricSpace& space
+    const geometricSpace& space,
+    const UList<vector>& U
 )
 :
     mesh_(nullptr),
@@ -76,9 +77,10 @@ Foam::wallFacets::wallFacets
 {
     for (DynamicList<facet>& facets : facets_)
     {
-        for (const pointField& points : faces)
+        forAll(faces, i)
         {
-            facets.append(facet(points));
+            facets.append(facet(faces[i]));
+            facets.last().U = U.empty() ? vector::zero : U[i];
         }
     }
 }
@@ -96,6 +98,9 @@ void Foam::wallFacets::collect
     {
         return;
     }
+
+    const List<tmp<vectorField>> wallU(velocities());
+    const polyBoundaryMesh& patches = mesh_->boundaryMesh();
 
     forAll(centres, bodyi)
     {
@@ -129,10 +134,27 @@ void Foam::wallFacets::collect
                     continue;
                 }
 
-                packed.append(vector(bodyi, f.size(), 0));
+                const label patchi =
+                    patches.patchID()[faces_[i] - mesh_->nInternalFaces()];
+                const vector U
+                (
+                    wallU[patchi].valid()
+                  ? wallU[patchi]()[faces_[i] - patches[patchi].start()]
+                  : vector::zero
+                );
+                const bool moves = U != vector::zero;
+
+                packed.append
+                (
+                    vector(bodyi, (moves ? -1 : 1)*f.size(), patchi)
+                );
                 for (const label pointi : f)
                 {
                     packed.append(mesh_->points()[pointi] - shift);
+                }
+                if (moves)
+                {
+                    packed.append(U);
                 }
             }
         }
@@ -145,13 +167,15 @@ void Foam::wallFacets::unpack(const UList<vector>& packed)
     for (label i = 0; i < packed.size();)
     {
         const label bodyi = label(packed[i].x());
-        const label n = label(packed[i].y());
+        const label n = label(mag(packed[i].y()));
+        const bool moves = packed[i].y() < 0;
+        facet f(SubList<point>(packed, n, i + 1));
 
-        facets_[bodyi].append
-        (
-            facet(SubList<point>(packed, n, i + 1))
-        );
-        i += n + 1;
+        f.patch = label(packed[i].z());
+        f.U = moves ? packed[i + n + 1] : vector::zero;
+
+        facets_[bodyi].append(f);
+        i += n + 1 + moves;
     }
 }
 

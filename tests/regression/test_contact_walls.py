@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Walls that move along themselves and are of different materials, in a fluid
+so light that closed forms hold."""
+
+import numpy as np
+import pytest
+
+import boxMesh
+import roundTube
+from bodyCase import BodyCase
+from boxMesh import uniform
+from foamCase import FoamError
+
+RATIO = 1e6
+SIDES = {"wallBelt": "y-", "walls": "x- x+ y+ z- z+"}
+
+
+def conditions(case, velocities):
+    """Boundary conditions of closed walls, by patch."""
+    for field, by_patch in (
+        ("U", velocities), ("p", {".*": "type zeroGradient;"}),
+    ):
+        path = case.path/"0"/field
+        head = path.read_text().split("boundaryField", 1)[0]
+        entries = "".join(
+            f'"{patch}" {{ {text} }}\n' for patch, text in by_patch.items()
+        )
+        path.write_text(f"{head}boundaryField\n{{\n{entries}}}\n")
+
+
+def box(folder, belt, name=None):
+    """A box whose bottom is the belt."""
+    case = BodyCase("box", folder, name)
+    side = uniform(-0.75, 0.75, 12)
+    boxMesh.write(case, side, side, side, SIDES)
+    conditions(case, {"wallBelt": belt, "walls": "type noSlip;"})
+    case.run("blockMesh")
+    return case
+
+
+def ball(**entries):
+    """Entry of a sphere."""
+    given = {
+        "shape": "{ type sphere; radius 0.25; }", "densityRatio": RATIO,
+        **entries,
+    }
+    text = " ".join(
+        f"{key} {value}" + ("" if "{" in str(value) else ";")
+        for key, value in given.items()
+    )
+    return f"ball {{ {text} }}"
+
+
+BELTS = {
+    "fixedValue": "type fixedValue; value uniform (0.3 0 0);",
+    "uniformFixedValue": "type uniformFixedValue;"
+                         " uniformValue constant (0.3 0 0);",
+    "robinVelocity": "type robinVelocity; slipLength 0.1;"
+                     " wallVelocity uniform (0.3 0 0);",
+}
+
+
+@pytest.mark.parametrize("kind, ranks", [
+    ("fixedValue", 1), ("fixedValue", 2), ("uniformFixedValue", 1),
+    ("robinVelocity", 1),
+])
+def test_ball_on_a_belt_slides_until_it_rolls(kind, ranks, tmp_path):
+    case = box(tmp_path, BELTS[kind])
+    case.path.joinpath("constant/g").write_text(
+        "FoamFile { version 2.0; format ascii;"
+        " class uniformDimensionedVectorField; object g; }\n"
+        "dimensions [0 1 -2 0 0 0 0]; value (0 -10 0);\n"
+    )
+    case.bodies(
+        ball(position="(0 -0.5 0)"),
+        "contact { type softSphere; restitution 0.5; friction 0.3;"
+        " collisionTime 0.004; }",
+    )
+    # It sticks after 2/7 V/(mu g)
+    sticks = 2/7*0.3/(0.3*10)
+    case.controls(endTime=2*sticks, deltaT=sticks/10)
+    if ranks > 1:
+        case.decompose(ranks)
+    case.solve(ranks)
+
+    motion = case.table("motion")
+    sliding = motion["velocity_x"][4]
+    assert sliding == pytest.approx(0.3*10*motion["time"][4], rel=0.01)
+    assert motion["velocity_x"][-1] == pytest.approx(2/7*0.3, rel=0.01)
+    assert motion["angularVelocity_z"][-1]*0.25 == pytest.approx(
+        5/7*0.3, rel=0.01
+    )
+
+
+def test_impact_on_the_wall_of_a_drum(tmp_path):
+    case = BodyCase("tube", tmp_path)
+    roundTube.write(case, uniform(-0.6, 0.6, 8), 0.15)
+    conditions(case, {
+        ".*": "type noSlip;",
+        "walls?": "type rotatingWallVelocity; origin (0 0 0); axis (1 0 0);"
+                  " omega constant 5;",
+    })
+    case.run("blockMesh")
+    # In the middle of one of the 32 faces round the tube
+    out = np.array([0, np.cos(np.pi/32), np.sin(np.pi/32)])
+    along = np.array([0, -out[2], out[1]])
+    radius, e, mu, dt = 0.3, 0.88, 0.25, 0.002
+    case.bodies(
+        f"ball {{ shape {{ type sphere; radius {radius}; }} densityRatio"
+        f" {RATIO}; position (0 {0.68*out[1]} {0.68*out[2]});"
+        f" velocity (0 {out[1]} {out[2]}); }}",
+        f"contact {{ type softSphere; restitution {e}; friction {mu};"
+        " collisionTime 0.004; }",
+    )
+    case.controls(endTime=15*dt, deltaT=dt)
+    case.solve()
+
+    motion = case.table("motion")
+    end = np.array([motion[f"velocity_{c}"][-1] for c in "xyz"])
+    slid = mu*(1 + e)
+    assert end @ out == pytest.approx(-e, rel=0.01)
+    assert end @ along == pytest.approx(slid, rel=0.01)
+    assert motion["angularVelocity_x"][-1] == pytest.approx(
+        2.5*slid/radius, rel=0.01
+    )
+
+
+MATERIALS = (
+    "contact { type softSphere; restitution 0.9; friction 0;"
+    " pairs { grain-steel { restitution 0.5; } grain-rubber { restitution"
+    " 0.3; } } walls { wallBelt steel; \"wall.*\" rubber; } }"
+)
+
+
+@pytest.mark.parametrize("material, direction, ranks, e", [
+    ("grain", "(0 -5 0)", 1, 0.5), ("grain", "(0 5 0)", 1, 0.3),
+    ("grain", "(0 5 0)", 2, 0.3), ("steel", "(0 -5 0)", 1, 0.9),
+    (None, "(0 -5 0)", 1, 0.9),
+])
+def test_walls_have_materials(material, direction, ranks, e, tmp_path):
+    case = box(tmp_path, "type noSlip;")
+    own = {"material": material} if material else {}
+    # Four of the cells' walls are on either rank
+    case.bodies(ball(velocity=direction, position="(0 0 0)", **own), MATERIALS)
+    case.controls(endTime=0.15, deltaT=0.005)
+    if ranks > 1:
+        case.decompose(ranks)
+    case.solve(ranks)
+    speed = abs(case.table("motion")["velocity_y"][-1])
+    assert speed == pytest.approx(5*e, rel=0.02)
+
+
+@pytest.mark.parametrize("old, new, expected", [
+    ("material grain", "material grian", ["grian", "nearest", "'grain'"]),
+    ("wallBelt steel", "wallBel steel",
+     ["'walls wallBel'", "nearest", "'wallBelt'"]),
+    ("wallBelt steel", "wallBelt stel", ["stel", "nearest", "'steel'"]),
+])
+def test_unknown_materials_are_refused(old, new, expected, tmp_path):
+    case = box(tmp_path, "type noSlip;")
+    case.bodies(ball(material="grain", position="(0 0 0)"), MATERIALS)
+    case.replace("constant/immersedBodyProperties", old, new)
+    with pytest.raises(FoamError) as error:
+        case.run("foamRun", "-check")
+    for text in expected:
+        assert text in str(error.value)
