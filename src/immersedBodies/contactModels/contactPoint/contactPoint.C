@@ -2,6 +2,7 @@
 
 #include "contactPoint.H"
 #include "FixedList.H"
+#include "separatingAxes.H"
 
 Foam::pointField Foam::contactPoint::surface(const immersedBody& body)
 {
@@ -144,6 +145,40 @@ void Foam::contactPoint::ascend
 }
 
 
+void Foam::contactPoint::separate
+(
+    const immersedBody& a,
+    const immersedBody& b,
+    const vector& shift
+)
+{
+    if (!separatingAxes::valid(a.shape()) || !separatingAxes::valid(b.shape()))
+    {
+        return;
+    }
+
+    const separatingAxes axes(a, b, shift, normal);
+    bool exact = axes.gap <= 0;
+
+    if (axes.edges && !exact)
+    {
+        // Apart, it is the distance if the edges are that long
+        const scalar least = 0.5*axes.gap + 1e-6*a.shape().boundingRadius();
+
+        exact =
+            a.distance(axes.position) <= least
+         && b.distance(axes.position - shift) <= least;
+    }
+
+    if (exact)
+    {
+        gap = axes.gap;
+        normal = axes.normal;
+        position = axes.edges ? axes.position : position;
+    }
+}
+
+
 Foam::contactPoint::contactPoint
 (
     const immersedBody& a,
@@ -185,10 +220,15 @@ Foam::contactPoint::contactPoint
         if (other.gap <= gap)
         {
             *this = other;
-            return;
         }
+        else
+        {
+            flip(shift);
+        }
+
+        separate(a, b, shift);
+        return;
     }
 
-    normal *= -1;
-    position += shift;
+    flip(shift);
 }
