@@ -59,12 +59,17 @@ class Report:
             f"{text(shown[n]):>{w}}" for n, w in WIDTHS.items()
         ), flush=True)
 
-    def write(self):
-        """Write results/NAME.csv and .png."""
+    def write(self, draw=None):
+        """Write results/NAME.csv and .png; draw(rows, file): for a figure
+        other than that of error against run time."""
         self.folder.mkdir(exist_ok=True)
         with open(self.folder / f"{self.name}.csv", "w", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(COLUMNS)
             for row in self.rows:
                 writer.writerow([text(row[name]) for name in COLUMNS])
-        plot(self.rows, self.name, self.folder / f"{self.name}.png")
+        file = self.folder / f"{self.name}.png"
+        if draw:
+            draw(self.rows, file)
+        else:
+            plot(self.rows, self.name, file)

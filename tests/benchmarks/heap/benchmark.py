@@ -10,12 +10,14 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
+from grainsPlot import plot_grains
 from measure import Run
 
 # Diameter, gravity and mass of a disc of the density of the fluid: 1
 RATIO, CELLS, STEP, END = 1e5, 4, 0.05, 30
 SPACING, JITTER = 1.06, 0.02
 NUMBERS = (30, 100, 300, 1000)
+PARTS = {"time of a step [ms]": "step", "of that contact [ms]": "contact"}
 
 ENERGY = """
     energy
@@ -126,3 +128,8 @@ def fall(folder, number, end):
 def rows(folder, quick):
     for number in NUMBERS[:1] if quick else NUMBERS:
         yield from fall(folder, number, END)
+
+
+def draw(rows, file):
+    """Time of a step, and contact's part, against the number of grains."""
+    plot_grains(rows, PARTS, "heap of discs, 4 cells each", file)

@@ -13,11 +13,16 @@ from boxMesh import uniform
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent/"cost"))
 
+from grainsPlot import plot_grains  # noqa: E402
 from timedRun import TimedRun  # noqa: E402
 
 SIZE, QUICK_SIZE = (64, 64, 128), (32, 32, 64)
 NUMBERS, QUICK_NUMBERS = (0, 10, 100, 1000, 10000), (0, 100, 1000)
 DIAMETER = 0.8
+PARTS = {
+    "ms per step": "step", "bodies ms": "bodies", "pressure ms": "pressure",
+    "momentum ms": "momentum",
+}
 SIDES = {"left": "x-", "right": "x+", "front": "y-", "back": "y+",
          "inlet": "z-", "outlet": "z+"}
 PAIRS = (("left", "right"), ("front", "back"), ("inlet", "outlet"))
@@ -93,6 +98,7 @@ def add_grains(case, size, number):
         }}
     """, "contact { type softSphere; } coupling { type auto; }")
 
+
 def timed(mesh, size, number, ranks):
     case = BodyCase(mesh, mesh.path.parent, f"{number}_{ranks}")
     if number:
@@ -119,3 +125,9 @@ def rows(folder, quick):
                                       run.parts):
                     yield run.row(f"{name} ms", time)
                 yield run.row("outer iterations", run.outers)
+
+
+def draw(rows, file):
+    """Time of a step, and its parts, against the number of grains."""
+    cells = f"{rows[0]['cells']:,}".replace(",", " ") if rows else ""
+    plot_grains(rows, PARTS, f"grains of {DIAMETER} cells, {cells} cells", file)
