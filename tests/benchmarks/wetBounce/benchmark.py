@@ -15,7 +15,7 @@ RATIO, DRY = 8, 0.97
 STOKES = (11, 27, 36, 50, 85, 152, 540)
 START, HEIGHT, WIDTH = 5, 9, 6
 # Over D: the gap at which the speed of the impact is taken, the way in the time
-# of which that of the rebound is, other gaps for the latter, and the least height
+# of which that of the rebound is, other gaps for the latter, the least height
 GAP, WINDOW, GAPS, LEAST = 0.25, 0.5, (0.05, 0.25), 0.01
 FILM = "leadingOrder;"
 SAFE = str.maketrans(" /", "__")

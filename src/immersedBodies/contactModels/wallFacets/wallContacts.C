@@ -23,7 +23,8 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
 {
     const point& centre = body.state().position;
     const scalar R = body.shape().boundingRadius();
-    const bool round = body.shape().round(), support = body.shape().hasSupport();
+    const bool round = body.shape().round();
+    const bool support = body.shape().hasSupport();
     pointField surface
     (
         round || support ? pointField() : contactPoint::surface(body)
@@ -220,7 +221,6 @@ Foam::DynamicList<Foam::contactPoint> Foam::wallFacets::contacts
         for (const label i : rest)
         {
             const bool same = (facets[i].normal & normal) > sameWall;
-
             (same ? group : others).append(i);
         }
 
