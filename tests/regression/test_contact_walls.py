@@ -92,6 +92,34 @@ def test_ball_on_a_belt_slides_until_it_rolls(kind, ranks, tmp_path):
     )
 
 
+def test_restart_on_a_belt_is_exact(tmp_path):
+    def start(name, **entries):
+        case = box(tmp_path, BELTS["robinVelocity"], name)
+        case.bodies(
+            ball(velocity="(0 -5 0.5)", position="(0 -0.48 0)",
+                 material="grain"),
+            MATERIALS.replace("friction 0;", "friction 0.3;"),
+        )
+        case.controls(
+            deltaT=0.0025, writeControl="timeStep", writeInterval=4,
+            writePrecision=17, timePrecision=15, **entries
+        )
+        return case
+
+    case = start("once", endTime=0.03)
+    case.solve()
+    parts = start("parts", endTime=0.01)
+    parts.solve()
+    state = (parts.path/"0.01/uniform/immersedBodies").read_text()
+    assert "contacts ( (" in " ".join(state.split())
+    parts.controls(endTime=0.03)
+    parts.solve()
+
+    for file in ("U", "p", "uniform/immersedBodies"):
+        expected = (case.path/case.latest_time()/file).read_bytes()
+        assert (parts.path/parts.latest_time()/file).read_bytes() == expected
+
+
 def test_impact_on_the_wall_of_a_drum(tmp_path):
     case = BodyCase("tube", tmp_path)
     roundTube.write(case, uniform(-0.6, 0.6, 8), 0.15)
