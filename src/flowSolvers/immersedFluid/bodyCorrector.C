@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "carrierFlow.H"
 
 Foam::scalar Foam::flowSolvers::immersedFluid::fluidSpeed() const
 {
@@ -18,16 +19,29 @@ void Foam::flowSolvers::immersedFluid::correctUnresolved
         return;
     }
 
-    const tmp<vectorField> tchange
-    (
-        bodies_->correctUnresolved
-        (
-            ddt,
-            U_,
-            momentumTransport->nu()(),
-            viscosity()
-        )
-    );
+    tmp<volScalarField> tk, tepsilon;
+
+    if (bodies_->disperse())
+    {
+        tk = momentumTransport->k();
+        tepsilon = momentumTransport->epsilon();
+    }
+
+    const tmp<volScalarField> tnu(momentumTransport->nu());
+    const carrierFlow flow
+    {
+        U_,
+        tnu().primitiveField(),
+        viscosity(),
+        tk.valid() ? &tk().primitiveField() : nullptr,
+        tepsilon.valid() ? &tepsilon().primitiveField() : nullptr
+    };
+    const tmp<vectorField> tchange(bodies_->correctUnresolved(ddt, flow));
+
+    if (bodies_->frozen())
+    {
+        return;
+    }
 
     force_ += tchange();
     U_.primitiveFieldRef() += tchange()/ddt.c;

@@ -77,6 +77,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     // Each with a comma and a space before
     string skipped;
     skipped += bodies_->moving() ? "" : ", motion of bodies";
+    skipped += bodies_->frozen() ? ", the fluid" : "";
     skipped += stokes_ ? ", convection" : "";
     skipped += uniformViscosity_ ? ", turbulence, transposed stress" : "";
     skipped += bodies_->contact() ? "" : ", contact";
@@ -136,6 +137,24 @@ void Foam::flowSolvers::immersedFluid::checkSettings() const
             << exit(FatalError);
     }
 
+    if
+    (
+        bodies_->disperse()
+     && momentumTransport->get<word>("simulationType") == "laminar"
+    )
+    {
+        FatalIOErrorInFunction(*momentumTransport)
+            << "'dispersion' of unresolved bodies needs a turbulence model, and"
+            << " 'simulationType' is laminar" << nl << exit(FatalIOError);
+    }
+
+    if (bodies_->frozen() && bodies_->window().comoving())
+    {
+        FatalErrorInFunction
+            << "A fluid that is frozen does not go with a comoving window"
+            << nl << exit(FatalError);
+    }
+
     // Refuses schemes that the bodies' equations do not follow
     ddtCoefficients(mesh_, U_.name());
 }
@@ -146,6 +165,11 @@ void Foam::flowSolvers::immersedFluid::initialise()
     if (!bodies_->restarted())
     {
         bodies_->setAmbient(U_);
+        if (bodies_->frozen())
+        {
+            return;
+        }
+
         bodies_->setRigidMotion(U_);
         phi_ = fvc::flux(U_);
         makeRelative();
@@ -223,7 +247,7 @@ void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
     {
         incompressibleFluid::momentumTransportCorrector();
     }
-    else if (!uniformViscosity_)
+    else if (!uniformViscosity_ && !bodies_->frozen())
     {
         correctViscosity();
         if (bodyWalls_)

@@ -262,6 +262,12 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         return;
     }
 
+    if (bodies_->frozen())
+    {
+        correctUnresolved(ddtCoefficients(mesh_, U_.name()));
+        return;
+    }
+
     addProfiling(momentum, "momentumPredictor");
 
     bandOnly_ = bandsSuffice() && predictBands();

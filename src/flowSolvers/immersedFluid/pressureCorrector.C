@@ -119,6 +119,12 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
         return;
     }
 
+    if (bodies_->frozen())
+    {
+        converged_ = true;
+        return;
+    }
+
     addProfiling(pressure, "pressureCorrector");
 
     const ddtCoefficients ddt(mesh_, U_.name());

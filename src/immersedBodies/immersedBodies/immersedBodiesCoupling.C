@@ -177,6 +177,18 @@ void Foam::immersedBodies::selectCoupling(volVectorField& U)
 }
 
 
+bool Foam::immersedBodies::disperse() const
+{
+    return unresolved_->disperses();
+}
+
+
+bool Foam::immersedBodies::frozen() const
+{
+    return unresolved_->frozen();
+}
+
+
 void Foam::immersedBodies::addUnresolved(vectorField& force) const
 {
     if (unresolved_->active())
@@ -190,9 +202,7 @@ void Foam::immersedBodies::addUnresolved(vectorField& force) const
 Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
 (
     const ddtCoefficients& ddt,
-    const volVectorField& U,
-    const scalarField& nu,
-    const scalarField& nuEff
+    const carrierFlow& flow
 )
 {
     addProfiling(correct, "immersedBodies::correctUnresolved");
@@ -200,10 +210,17 @@ Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
     tmp<vectorField> tchange(new vectorField(mesh_.nCells(), Zero));
 
     unresolved_->addLoads(bodies_, -1, tchange.ref());
-    unresolved_->correct
-    (
-        bodies_, ddt, g_, window_.velocity(), U, nu, nuEff
-    );
+    unresolved_->correct(bodies_, ddt, g_, window_.velocity(), flow);
+
+    forAll(bodies_, bodyi)
+    {
+        if (!bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].volume =
+                unresolved_->inside(bodyi) ? bodies_[bodyi].volume() : 0;
+        }
+    }
+
     unresolved_->addLoads(bodies_, 1, tchange.ref());
 
     return tchange;

@@ -3,7 +3,6 @@
 #include "immersedBodies.H"
 #include "compat.H"
 #include "profiling.H"
-#include "unresolvedCoupling.H"
 
 void Foam::immersedBodies::reduceLoads(const bool response)
 {
@@ -73,8 +72,6 @@ Foam::scalar Foam::immersedBodies::correct
         if (!body.resolved())
         {
             // correctUnresolved() has moved it on
-            loads_[bodyi].volume =
-                unresolved_->inside(bodyi) ? body.volume() : 0;
             continue;
         }
 

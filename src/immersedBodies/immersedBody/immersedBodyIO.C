@@ -227,6 +227,11 @@ void Foam::immersedBody::readState(const dictionary& dict)
     resolved_ = !dict.found("load");
     load_.force = dict.lookupOrDefault<vector>("load", Zero);
 
+    if (dict.found("eddy"))
+    {
+        eddy_ = turbulentEddy(dict.subDict("eddy"));
+    }
+
     state_ = bodyState(dict);
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
@@ -273,6 +278,12 @@ void Foam::immersedBody::writeState(Ostream& os) const
     {
         // What the next step begins with
         os.writeEntry("load", load_.force);
+    }
+    if (eddy_.number > 0)
+    {
+        os.beginBlock("eddy");
+        eddy_.write(os);
+        os.endBlock();
     }
 
     state_.write(os);

@@ -71,6 +71,7 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 {
     oldOld_ = old_;
     old_ = state_;
+    oldEddy_ = eddy_;
     oldContactU_ = contactU_;
     oldContactOmega_ = contactOmega_;
     contactU_ = contactOmega_ = Zero;
@@ -104,6 +105,7 @@ void Foam::immersedBody::undoStep()
 {
     state_ = old_;
     old_ = oldOld_;
+    eddy_ = oldEddy_;
     contactU_ = oldContactU_;
     contactOmega_ = oldContactOmega_;
 }

@@ -2,12 +2,52 @@
 
 #include "bodyKernel.H"
 
+namespace
+{
+
+//- Is x inside the mesh, and in the cell but for a tenth of its size h [m]? The
+//  planes of warped faces have gaps between them.
+bool isBeside
+(
+    const Foam::fvMesh& mesh,
+    const Foam::label celli,
+    const Foam::scalar h,
+    const Foam::point& x
+)
+{
+    for (const Foam::label facei : mesh.cells()[celli])
+    {
+        const Foam::vector& Sf = mesh.faceAreas()[facei];
+        const Foam::scalar outwards =
+            mesh.faceOwner()[facei] == celli ? 1 : -1;
+        const Foam::label patchi = mesh.boundaryMesh().whichPatch(facei);
+        const bool between =
+            patchi < 0 || mesh.boundaryMesh()[patchi].coupled();
+
+        if
+        (
+            outwards*((x - mesh.faceCentres()[facei]) & Sf)
+          > (between ? 0.1 : 1e-9)*h*Foam::mag(Sf)
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+} // End anonymous namespace
+
+
 Foam::bodyKernel::bodyKernel()
 :
     searchCentre_(Zero),
     searchRadius_(0),
     searchMargin_(-1),
-    centreCell(-1)
+    centreCell(-1),
+    nBeside(0),
+    hBeside(0)
 {}
 
 
@@ -20,6 +60,8 @@ void Foam::bodyKernel::clear()
     weight.clearStorage();
     searchMargin_ = -1;
     centreCell = -1;
+    nBeside = 0;
+    hBeside = 0;
 }
 
 
@@ -91,6 +133,8 @@ void Foam::bodyKernel::update
     r.clear();
     weight.clear();
     centreCell = -1;
+    nBeside = 0;
+    hBeside = 0;
 
     forAll(near_, i)
     {
@@ -134,6 +178,37 @@ void Foam::bodyKernel::update
         {
             centreCell = cells[i];
             return;
+        }
+    }
+
+    // From small cells into a large one, whose centre is beyond the kernel
+    if (near_.size())
+    {
+        centreCell = search.findCell(x);
+    }
+    if (centreCell >= 0 && cells.empty())
+    {
+        cells.append(centreCell);
+        r.append(mesh.cellCentres()[centreCell] - x);
+        weight.append(1);
+    }
+    if (centreCell >= 0)
+    {
+        return;
+    }
+
+    forAll(cells, i)
+    {
+        const scalar h = search.hMax(cells[i]);
+
+        if
+        (
+            mag(r[i]) < h
+         && isBeside(mesh, cells[i], h, mesh.cellCentres()[cells[i]] - r[i])
+        )
+        {
+            ++nBeside;
+            hBeside += h;
         }
     }
 }

@@ -14,7 +14,9 @@ Foam::fluidSample::fluidSample()
     nuEff_(0),
     selfKernel_(0),
     fraction_(0),
-    crowd_(0)
+    crowd_(0),
+    k_(0),
+    epsilon_(0)
 {}
 
 
@@ -74,7 +76,11 @@ void Foam::fluidSample::pack(UList<scalar>& data, const label start) const
     {
         data[i++] = rU_[k];
     }
-    for (const scalar s : {nu_, nuEff_, selfKernel_, fraction_, crowd_})
+    for
+    (
+        const scalar s
+      : {nu_, nuEff_, selfKernel_, fraction_, crowd_, k_, epsilon_}
+    )
     {
         data[i++] = s;
     }
@@ -100,7 +106,11 @@ void Foam::fluidSample::unpack(const UList<scalar>& data, const label start)
     {
         rU_[k] = data[i++];
     }
-    for (scalar* s : {&nu_, &nuEff_, &selfKernel_, &fraction_, &crowd_})
+    for
+    (
+        scalar* s
+      : {&nu_, &nuEff_, &selfKernel_, &fraction_, &crowd_, &k_, &epsilon_}
+    )
     {
         *s = data[i++];
     }

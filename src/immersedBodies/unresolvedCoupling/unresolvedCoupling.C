@@ -80,6 +80,15 @@ void Foam::unresolvedCoupling::resize(const PtrList<immersedBody>& bodies)
 
     for (label i = nOld; i < bodies.size(); ++i)
     {
+        if (frozen_ && type(bodies[i]) != "unresolved")
+        {
+            FatalErrorInFunction
+                << "'fluid frozen' in 'coupling' of immersedBodyProperties"
+                << " needs bodies that are all unresolved, and "
+                << bodies[i].name() << " is of the type '" << type(bodies[i])
+                << "'" << nl << exit(FatalError);
+        }
+
         kernels_.set(i, new bodyKernel());
         sphericities_[i] =
             type(bodies[i]) == "resolved"
@@ -152,8 +161,9 @@ void Foam::unresolvedCoupling::normalise
     scalarList& h
 )
 {
-    // Sum of the weights, cells with the centre, their size
-    const label n = 3;
+    // Sum of the weights, cells with the centre, their size, and the same of
+    // those next to it
+    const label n = 5;
     scalarField sums(n*bodies.size(), Zero);
 
     forAll(bodies, i)
@@ -167,19 +177,22 @@ void Foam::unresolvedCoupling::normalise
             sums[n*i + 1] = 1;
             sums[n*i + 2] = search_.hMax(kernel.centreCell);
         }
+        sums[n*i + 3] = kernel.nBeside;
+        sums[n*i + 4] = kernel.hBeside;
     }
 
     compat::allReduce(sums, plusEqOp<scalar>());
 
     forAll(bodies, i)
     {
-        const scalar found = sums[n*i + 1];
+        const label at = n*i + (sums[n*i + 1] > 0 ? 1 : 3);
+        const scalar found = sums[at];
 
         inside_[i] = found > 0;
 
         if (inside_[i])
         {
-            h[i] = sums[n*i + 2]/found;
+            h[i] = sums[at + 1]/found;
             kernels_[i].normalise(sums[n*i]);
         }
         else

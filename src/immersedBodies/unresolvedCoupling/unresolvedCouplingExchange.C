@@ -8,12 +8,11 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 (
     const PtrList<immersedBody>& bodies,
     const ddtCoefficients& ddt,
-    const volVectorField& U,
-    const scalarField& nu,
-    const scalarField& nuEff
+    const carrierFlow& flow
 ) const
 {
     const scalarField& V = mesh_.V();
+    const volVectorField& U = flow.U;
     const vectorField& U0 = U.oldTime();
     const vectorField& U00 = ddt.c00 != 0 ? U.oldTime().oldTime() : U0;
     List<fluidSample> samples(bodies.size());
@@ -38,12 +37,21 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
             samples[bodyi].addScalars
             (
                 weight,
-                nu[celli],
-                nuEff[celli],
+                flow.nu[celli],
+                flow.nuEff[celli],
                 kernel.weight[i],
                 fraction_[celli],
-                crowd_[celli]/D
+                frozen_ ? 0 : crowd_[celli]/D
             );
+            if (flow.k)
+            {
+                samples[bodyi].addTurbulence
+                (
+                    weight,
+                    (*flow.k)[celli],
+                    (*flow.epsilon)[celli]
+                );
+            }
         }
     }
 
@@ -67,18 +75,48 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 }
 
 
+Foam::vector Foam::unresolvedCoupling::fluctuation
+(
+    const fluidSample& fluid,
+    immersedBody& body
+) const
+{
+    if (!dispersion_.valid())
+    {
+        return Zero;
+    }
+
+    // From the start of the step in each iteration
+    turbulentEddy eddy(body.oldEddy());
+    const vector mean
+    (
+        dispersion_->advance
+        (
+            eddy,
+            body.number(),
+            fluid.k(),
+            fluid.epsilon(),
+            fluid.velocity(fluid.gradient()) - body.oldState().U,
+            mesh_.time().deltaTValue()
+        )
+    );
+
+    body.setEddy(eddy);
+
+    return mean;
+}
+
+
 void Foam::unresolvedCoupling::correct
 (
     PtrList<immersedBody>& bodies,
     const ddtCoefficients& ddt,
     const vector& g,
     const vector& meshU,
-    const volVectorField& U,
-    const scalarField& nu,
-    const scalarField& nuEff
+    const carrierFlow& flow
 ) const
 {
-    const List<fluidSample> samples(sample(bodies, ddt, U, nu, nuEff));
+    const List<fluidSample> samples(sample(bodies, ddt, flow));
 
     forAll(bodies, i)
     {
@@ -91,7 +129,15 @@ void Foam::unresolvedCoupling::correct
 
         const unresolvedMotion motion
         (
-            drag_(), samples[i], body, sphericities_[i], ddt, g, meshU
+            drag_(),
+            samples[i],
+            body,
+            sphericities_[i],
+            ddt,
+            g,
+            meshU,
+            fluctuation(samples[i], body),
+            lifts_
         );
 
         // The equation is linear now: the second time sets the load only

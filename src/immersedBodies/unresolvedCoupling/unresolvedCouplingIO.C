@@ -10,7 +10,8 @@ const Foam::wordList Foam::unresolvedCoupling::types
 
 const Foam::wordList Foam::unresolvedCoupling::keywords
 ({
-    "type", "resolvedFrom", "dragModel", "kernel"
+    "type", "resolvedFrom", "dragModel", "dispersion", "lift", "fluid",
+    "kernel"
 });
 
 
@@ -28,7 +29,14 @@ Foam::unresolvedCoupling::unresolvedCoupling
     periods_(periods),
     type_(Foam::keywords::choice(dict, "type", types, "resolved")),
     resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
+    frozen_
+    (
+        Foam::keywords::choice(dict, "fluid", {"solved", "frozen"}, "solved")
+     == "frozen"
+    ),
     drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
+    dispersion_(dispersionModel::New(dict)),
+    lifts_(liftModel::New(dict)),
     centres_(mesh_.cellCentres(), false),
     nUnresolved_(0)
 {
@@ -75,4 +83,17 @@ void Foam::unresolvedCoupling::report(Ostream& os) const
     os  << ", " << nUnresolved_ << " unresolved, drag of " << drag_->type()
         << ", kernels of " << kernelCells_ << " cells or "
         << kernelDiameters_ << " diameters";
+
+    for (const liftModel& lift : lifts_)
+    {
+        os  << ", lift of " << lift.type();
+    }
+    if (frozen_)
+    {
+        os  << ", frozen fluid";
+    }
+    if (dispersion_.valid())
+    {
+        os  << ", dispersion by " << dispersion_->type();
+    }
 }

@@ -16,7 +16,9 @@ Foam::unresolvedMotion::unresolvedMotion
     const scalar psi,
     const ddtCoefficients& ddt,
     const vector& g,
-    const vector& meshU
+    const vector& meshU,
+    const vector& fluctuation,
+    const PtrList<liftModel>& lifts
 )
 :
     drag_(drag),
@@ -25,7 +27,8 @@ Foam::unresolvedMotion::unresolvedMotion
     D_(cbrt(6*V_/pi)),
     psi_(psi),
     response_(fluid.crowd()/ddt.c),
-    oldLoad_(body.load().force)
+    oldLoad_(body.load().force),
+    lift_(Zero)
 {
     const scalar own = V_*fluid.selfKernel();
     const scalar others = max(fluid.fraction() - own, 0);
@@ -35,6 +38,11 @@ Foam::unresolvedMotion::unresolvedMotion
     // Packed as densely as spheres can be by chance, at most
     phi_ = min(others + (1 - alone_)*own, 0.64);
 
+    if (fluid.crowd() == 0)
+    {
+        alone_ = 0;
+    }
+
     const tensor grad(fluid.gradient());
 
     u_ = fluid.velocity(grad);
@@ -42,12 +50,39 @@ Foam::unresolvedMotion::unresolvedMotion
     (
         grad.yz() - grad.zy(), grad.zx() - grad.xz(), grad.xy() - grad.yx()
     );
-    DuDt_ = acceleration(grad, u_ - body.state().U, u_ - meshU);
+    DuDt_ = acceleration(grad, u_ + fluctuation - body.state().U, u_ - meshU);
+    u_ += fluctuation;
 
+    vector W(slip(body, ddt, g, lift_));
+
+    for (const liftModel& lift : lifts)
+    {
+        lift_ += lift.force(W, 2*spin_, body.state().omega, D_, fluid.nu());
+    }
+    if (lifts.size())
+    {
+        W = slip(body, ddt, g, lift_);
+    }
+
+    const scalar s = mag(W);
+    const scalar b = this->drag(s);
+
+    b_ = b/seen(b, s);
+}
+
+
+Foam::vector Foam::unresolvedMotion::slip
+(
+    const immersedBody& body,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    const vector& lift
+) const
+{
     // Slip if there were no drag, and how much of it a drag takes
     const vector dUdt(body.acceleration(ddt).linear);
     const scalar r = body.densityRatio();
-    vector P(1.5*V_*(dUdt - DuDt_));
+    vector P(1.5*V_*(dUdt - DuDt_) - lift);
     vector U(body.state().U);
     scalar k = response_;
 
@@ -56,19 +91,17 @@ Foam::unresolvedMotion::unresolvedMotion
         const scalar mass = (r + 0.5)*V_;
         const vector rest
         (
-            1.5*V_*DuDt_ + (r - 1)*V_*g + body.contactTerm(ddt).linear
+            1.5*V_*DuDt_ + (r - 1)*V_*g + body.contactTerm(ddt).linear + lift
         );
 
         U += (rest/mass - dUdt)/ddt.c;
-        P = 1.5*(rest/(r + 0.5) - V_*DuDt_);
+        P = 1.5*(rest/(r + 0.5) - V_*DuDt_) - lift;
         k = (1/V_ + (r - 1)*response_*ddt.c)/(ddt.c*(r + 0.5));
     }
 
     const vector a(u_ + response_*(P - oldLoad_) - U);
-    const scalar s = solveSlip(mag(a), k);
-    const scalar b = this->drag(s);
 
-    b_ = b/seen(b, s);
+    return solveSlip(mag(a), k)/max(mag(a), VSMALL)*a;
 }
 
 
@@ -172,6 +205,7 @@ Foam::bodyLoad Foam::unresolvedMotion::load
     load.force = implicit
        *(
             1.5*(rate.linear - V_*DuDt_)
+          - lift_
           - b_*(u_ - response_*oldLoad_ - state.U)
         );
     load.torque = rate.angular - turning*(spin_ - state.omega);

@@ -41,6 +41,12 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
         c.wallU = f.U;
         if (round)
         {
+            // Most are too far to be touched: no need to know how far
+            if (f.leastDistance(centre) > 2*R)
+            {
+                continue;
+            }
+
             const vector apart
             (
                 cmptMultiply(centre - f.nearest(centre), inSpace_)

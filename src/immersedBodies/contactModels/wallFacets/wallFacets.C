@@ -13,6 +13,13 @@ Foam::wallFacets::facet::facet(const UList<point>& x)
     centre = f.centre(points);
     normal = -f.areaNormal(points);
     normal /= mag(normal) + VSMALL;
+    radius = bulge = 0;
+
+    for (const point& p : points)
+    {
+        radius = max(radius, mag(p - centre));
+        bulge = max(bulge, mag((p - centre) & normal));
+    }
 }
 
 
