@@ -36,10 +36,11 @@ Foam::vector Foam::liftModels::OesterleBuiDinh::force
 
     const scalar Re = mag(W)*D/nu;
     const scalar ReSpin = mag(O)*sqr(D)/nu;
-    const scalar C =
+    const scalar fit =
         0.45
       + (ReSpin/Re - 0.45)
        *Foam::exp(-0.05684*Foam::pow(ReSpin, 0.4)*Foam::pow(Re, 0.3));
+    const scalar C = min(fit, ReSpin/Re);
 
     return constant::mathematical::pi/8*sqr(D)*C*mag(W)/mag(O)*(O^W);
 }
