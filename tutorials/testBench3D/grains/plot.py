@@ -26,6 +26,8 @@ def means(plane):
     middle = (parts["inner"] + parts["outer"])/2
 
     def mean(column, weight, chosen):
+        # Where there is no grain there is no speed
+        chosen = chosen & (weight > 0)
         total = weight[chosen].sum()
         return (column[chosen]*weight[chosen]).sum()/total if total else 0
 
