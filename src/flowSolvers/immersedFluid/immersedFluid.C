@@ -103,29 +103,6 @@ Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
 }
 
 
-void Foam::flowSolvers::immersedFluid::addBodyWalls()
-{
-    if (!fv::bodyWalls::wanted(mesh_))
-    {
-        return;
-    }
-
-    bodyWalls_ = new fv::bodyWalls
-    (
-        bodies_(),
-        U_,
-        momentumTransport->get<word>("simulationType") == "LES"
-    );
-    static_cast<fv::optionList&>(fvOptions).append(bodyWalls_);
-
-    // A file that has changed would be read again, for an entry of each option
-    fvOptions.watchIndices().clear();
-
-    bodyWalls_->update(momentumTransport->nu()());
-    momentumTransport->validate();
-}
-
-
 void Foam::flowSolvers::immersedFluid::checkSettings() const
 {
     if (mesh_.dynamic())
