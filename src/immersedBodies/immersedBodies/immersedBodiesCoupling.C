@@ -199,6 +199,19 @@ void Foam::immersedBodies::addUnresolved(vectorField& force) const
 }
 
 
+void Foam::immersedBodies::noteUnresolved()
+{
+    forAll(bodies_, bodyi)
+    {
+        if (!bodies_[bodyi].resolved())
+        {
+            loads_[bodyi].volume =
+                unresolved_->inside(bodyi) ? bodies_[bodyi].volume() : 0;
+        }
+    }
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
 (
     const ddtCoefficients& ddt,
@@ -211,17 +224,8 @@ Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
 
     unresolved_->addLoads(bodies_, -1, tchange.ref());
     unresolved_->correct(bodies_, ddt, g_, window_.velocity(), flow);
-
-    forAll(bodies_, bodyi)
-    {
-        if (!bodies_[bodyi].resolved())
-        {
-            loads_[bodyi].volume =
-                unresolved_->inside(bodyi) ? bodies_[bodyi].volume() : 0;
-        }
-    }
-
     unresolved_->addLoads(bodies_, 1, tchange.ref());
+    noteUnresolved();
 
     return tchange;
 }

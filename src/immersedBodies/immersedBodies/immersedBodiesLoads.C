@@ -61,6 +61,7 @@ Foam::scalar Foam::immersedBodies::correct
         }
 
         reduceLoads(response);
+        noteUnresolved();
     }
 
     scalar change = 0;
