@@ -8,7 +8,7 @@ from bodyCase import BodyCase
 
 sys.path.append(str(Path(__file__).parent))
 
-from picture import draw  # noqa: E402
+from picture import draw  # noqa: E402, F401
 from timedRun import TimedRun  # noqa: E402
 from vortices import Box, Tube, bodies, make  # noqa: E402
 
@@ -19,7 +19,7 @@ MESHES = {
     "2D 1536x512": (Box(1536, 512), {1: 16, 20: 16, 1000: 8}),
     "3D 64^3": (Box(64, 64, 64), {1: 8, 20: 8}),
     "3D 128x64x64": (Box(128, 64, 64), {1: 8, 20: 8, 1000: 4}),
-    "3D tube": (Tube(90, 24), {1: 8, 20: 8}),
+    "3D tube": (Tube(90, 24), {1: 8, 20: 6}),
 }
 QUICK = ("2D 384x128", "2D 256x128 stretched")
 STOCK = ["pimpleFoam"]
@@ -80,8 +80,7 @@ def arguments(mesh, crowds):
 
 
 def rows(folder, quick):
-    """All meshes, solvers and numbers of bodies, and the figure."""
-    shown = []
+    """All meshes, solvers and numbers of bodies."""
     for name, (mesh, crowds) in MESHES.items():
         if quick and name not in QUICK:
             continue
@@ -91,12 +90,9 @@ def rows(folder, quick):
         for ranks in (1,) if quick else (1, 2):
             stock = solve(case, mesh, STOCK, name, ranks)
             yield from table(stock, stock)
-            shown.append((stock, stock))
             for options in arguments(mesh, crowds):
                 run = solve(
                     case, mesh, settings=name, ranks=ranks,
                     **{"command": IMMERSED, **options},
                 )
                 yield from table(run, stock)
-                shown.append((run, stock))
-    draw(shown)

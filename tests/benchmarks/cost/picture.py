@@ -1,59 +1,70 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steps of one rank beside stock pimpleFoam's, with their parts."""
 
-from pathlib import Path
-
-FILE = Path(__file__).resolve().parent.parent/"results/cost.png"
-PARTS = ("momentum", "pressure", "bodies", "other")
-COLOURS = ("tab:blue", "tab:green", "tab:red", "lightgrey")
+PARTS = {
+    "momentum ms": "tab:blue", "pressure ms": "tab:green",
+    "bodies ms": "tab:red", "other ms": "lightgrey",
+}
 LINE = 0.21                 # inches per run
+WIDEST = 1.6                # what is longer is cut off, and says how long
 
 
-def label(run):
-    """What a run was, without the mesh and its number of ranks."""
-    settings = ", ".join(run.settings.split(", ")[1:])
-    return f"{run.solver['solver']}, {settings}"
+def collect(rows):
+    """Quantities of the runs on one rank, by mesh and by what they were."""
+    meshes = {}
+    for row in rows:
+        mesh, *settings = row["settings"].split(", ")
+        if "2 ranks" not in settings:
+            label = ", ".join([row["solver"], *settings])
+            runs = meshes.setdefault(mesh, {})
+            runs.setdefault(label, {})[row["quantity"]] = float(row["value"])
+    return meshes
 
 
-def draw(shown):
-    """Write the figure; shown: runs, each with that of pimpleFoam."""
+def draw(rows, file):
+    """Write the figure."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    shown = [pair for pair in shown if "ranks" not in pair[0].settings]
-    lines, names, at = [], [], 0
-    meshes = {}
-    for run, stock in shown:
-        mesh = run.settings.split(", ")[0]
-        if mesh not in meshes:
-            at += 1.5
-            meshes[mesh] = at
-        names.append(label(run))
-        lines.append((at, run, stock))
-        at += 1
-
-    figure, panel = pyplot.subplots(figsize=(9, LINE*at + 1))
-    for y, run, stock in lines:
-        if run is stock:
-            panel.barh(y, 1, color="dimgrey")
-            continue
-        left = 0
-        parts = (*run.parts, run.step - sum(run.parts))
-        for part, colour in zip(parts, COLOURS):
-            panel.barh(y, part/stock.step, left=left, color=colour)
-            left += part/stock.step
-    for name, colour in zip(PARTS, COLOURS):
-        panel.barh([0], [0], color=colour, label=name)
-    for mesh, y in meshes.items():
-        panel.text(0, y - 0.7, mesh, fontsize=8, weight="bold")
+    meshes = collect(rows)
+    lines = sum(len(runs) + 1.5 for runs in meshes.values())
+    figure, panel = pyplot.subplots(figsize=(9, LINE*lines + 1))
+    y, places, names = 0, [], []
+    for mesh, runs in meshes.items():
+        stock = next(iter(runs.values()))["ms per step"]
+        panel.text(
+            0.01, y, f"{mesh}: {stock:.0f} ms", fontsize=8, weight="bold",
+            va="center",
+        )
+        for label, run in runs.items():
+            y += 1
+            places.append(y)
+            names.append(label)
+            left = 0
+            parts = {
+                colour: run.get(part, 0) for part, colour in PARTS.items()
+            }
+            if not any(parts.values()):
+                parts = {"dimgrey": run["ms per step"]}
+            for colour, part in parts.items():
+                panel.barh(y, part/stock, left=left, color=colour)
+                left += part/stock
+            if left > WIDEST:
+                panel.text(
+                    0.99*WIDEST, y, f"{left:.1f}", fontsize=8, va="center",
+                    ha="right",
+                )
+        y += 1.5
+    for part, colour in PARTS.items():
+        panel.barh([0], [0], color=colour, label=part.removesuffix(" ms"))
     for goal in (1/3, 0.1):
         panel.axvline(goal, color="black", linestyle=":", linewidth=1)
-    panel.set_yticks([y for y, _, _ in lines], names, fontsize=7)
-    panel.set_ylim(at, 0)
+    panel.set_yticks(places, names, fontsize=7)
+    panel.set_ylim(y, -1)
+    panel.set_xlim(0, WIDEST)
     panel.set_xlabel("time per step over that of pimpleFoam, one core")
     panel.legend(fontsize=8)
     figure.tight_layout()
-    FILE.parent.mkdir(exist_ok=True)
-    figure.savefig(FILE, dpi=130)
+    figure.savefig(file, dpi=130)
     pyplot.close(figure)

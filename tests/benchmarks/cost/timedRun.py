@@ -95,12 +95,19 @@ class TimedRun(Result):
         )
         found = entry.findall(file.read_text())
         names = {key: name for key, _, name, _ in found}
+        parents = {key: parent for key, parent, _, _ in found}
         seconds = dict.fromkeys(("application::main", *PARTS), 0.0)
-        for _, parent, name, time in found:
+        for key, _, name, time in found:
             part = BODIES if name.startswith(BODIES) else name
             if part not in seconds:
                 continue
+            above = []
+            while key := parents[key]:
+                above.append(names[key])
+            if part == BODIES:
+                if any(name.startswith(BODIES) for name in above):
+                    continue
+                for name in set(above) & set(PARTS):
+                    seconds[name] -= float(time)
             seconds[part] += float(time)
-            if part == BODIES and names.get(parent) in PARTS:
-                seconds[names[parent]] -= float(time)
         return seconds

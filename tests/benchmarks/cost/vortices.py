@@ -36,6 +36,11 @@ class Box:
             for side, n in zip(sides, cells, strict=True)
         ]
 
+    @staticmethod
+    def margin(diameter):
+        """Of the centres of grains from its sides."""
+        return diameter + 6
+
     def write(self, case):
         """Make the blockMeshDict."""
         sides = "x- x+ y- y+" + " z- z+"*(len(self.low) == 3)
@@ -54,6 +59,11 @@ class Tube:
         self.low = [0, -side, -side]
         self.high = [length, side, side]
 
+    @staticmethod
+    def margin(diameter):
+        """Of the centres of grains from the sides of the square in it."""
+        return diameter/2 + 2
+
     def write(self, case):
         """Make the blockMeshDict."""
         roundTube.write(
@@ -68,7 +78,7 @@ class Tube:
 
 def bodies(mesh, number, diameter, fixed=False):
     """Entry of random grains, clear of the walls."""
-    margin = diameter + 6
+    margin = mesh.margin(diameter)
     low = [x + margin for x in mesh.low] + [0]*(3 - len(mesh.low))
     high = [x - margin for x in mesh.high] + [0]*(3 - len(mesh.low))
     motion = (
