@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "fvmDdt.H"
+#include "fvmDiv.H"
+#include "fvmLaplacian.H"
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::flowSolvers::immersedFluid::divDevSigma()
+{
+    // The transposed gradient contributes nothing to a uniform viscosity, but
+    // its discrete form does where the velocity bends, at the bodies
+    if (immersed() && uniformViscosity_)
+    {
+        const volScalarField& nu = viscosity();
+        const dimensionedScalar minusNu
+        (
+            "minusNu",
+            nu.dimensions(),
+            -gMax(nu.primitiveField())
+        );
+
+        return fvm::laplacian
+        (
+            minusNu,
+            U_,
+            "laplacian(" + nu.name() + ',' + U_.name() + ')'
+        );
+    }
+
+    return incompressibleFluid::divDevSigma();
+}
+
+
+void Foam::flowSolvers::immersedFluid::addTransport(fvVectorMatrix& eqn)
+{
+    if (uniformViscosity_ && !transport_.valid())
+    {
+        transport_.reset
+        (
+            new linearTransport
+            (
+                U_,
+                stokes_ ? word() : word("div(phi,U)"),
+                "laplacian(" + viscosity().name() + ',' + U_.name() + ')'
+            )
+        );
+    }
+
+    if (transport_.valid() && transport_->serves())
+    {
+        transport_->add
+        (
+            stokes_ ? nullptr : &phi_,
+            gMax(viscosity().primitiveField()),
+            eqn
+        );
+        return;
+    }
+
+    if (!stokes_)
+    {
+        eqn += fvm::div(phi_, U_);
+    }
+    eqn += divDevSigma();
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::flowSolvers::immersedFluid::assembleMomentum()
+{
+    if (!immersed())
+    {
+        return incompressibleFluid::assembleMomentum();
+    }
+
+    // As there, without the fields and matrices of what a case does not have
+    const bool rotating = MRF.MRFZoneList::size();
+
+    if (rotating)
+    {
+        MRF.correctBoundaryVelocity(U_);
+    }
+
+    tmp<fvVectorMatrix> tEqn(fvm::ddt(U_));
+    fvVectorMatrix& eqn = tEqn.ref();
+
+    addTransport(eqn);
+
+    if (rotating)
+    {
+        eqn += MRF.DDt(U_);
+    }
+    addOptions(eqn);
+    eqn.relax();
+    fvOptions.constrain(eqn);
+
+    return tEqn;
+}
+
+
+void Foam::flowSolvers::immersedFluid::addOptions(fvVectorMatrix& eqn)
+{
+    force_.clear();
+
+    if (fvOptions.appliesToField(U_.name()))
+    {
+        fvVectorMatrix options(fvOptions(U_));
+
+        force_ = -options.source()/mesh_.V();
+        options.source() = Zero;
+        eqn -= options;
+    }
+}
