@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Half a plane channel with kOmegaSST, driven by a uniform force: half width,
-friction velocity and force are 1. Periodic, one cell long.
+"""Half a plane channel with a turbulence model, driven by a uniform force: half
+width, friction velocity and force are 1. Periodic, one cell long.
 
     y, U = solve("case", tmp_path, 395, cells=20, offset=0.3)
 
@@ -26,14 +26,24 @@ FIELDS = {
     "k": ("volScalarField", "0 2 -2 0 0 0 0", 1, None, "zeroGradient"),
     "omega": ("volScalarField", "0 0 -1 0 0 0 0", 50,
               "omegaWallFunction; value uniform 50", "zeroGradient"),
+    "epsilon": ("volScalarField", "0 2 -3 0 0 0 0", 5,
+                "epsilonWallFunction; value uniform 5", "zeroGradient"),
+    "nuTilda": ("volScalarField", "0 2 -1 0 0 0 0", 0.05,
+                "fixedValue; value uniform 0", "zeroGradient"),
     "nut": ("volScalarField", "0 2 -1 0 0 0 0", 0.01, None,
             "calculated; value uniform 0"),
+}
+MODELS = {
+    "kOmegaSST": ("k", "omega"),
+    "kEpsilon": ("k", "epsilon"),
+    "SpalartAllmaras": ("nuTilda",),
 }
 WALLS = {
     "low Re": {"k": "fixedValue; value uniform 1e-12",
                "nut": "nutLowReWallFunction; value uniform 0"},
     "wall functions": {"k": "kqRWallFunction; value uniform 1",
                        "nut": "nutkWallFunction; value uniform 0"},
+    "wall functions of U": {"nut": "nutUSpaldingWallFunction; value uniform 0"},
 }
 SLAB = """
     slab
@@ -64,8 +74,9 @@ def write_mesh(case, y, wall):
     case.run("blockMesh")
 
 
-def write_fields(case, wall, walls):
-    for name, (kind, dimensions, value, at_wall, middle) in FIELDS.items():
+def write_fields(case, wall, walls, model):
+    for name in ("U", "p", *MODELS[model], "nut"):
+        kind, dimensions, value, at_wall, middle = FIELDS[name]
         if wall == "below":
             at_wall = middle
         elif at_wall is None:
@@ -84,12 +95,12 @@ boundaryField
 """)
 
 
-def set_model(case, Re):
+def set_model(case, Re, model):
     case.replace("constant/transportProperties", "1e-3;", f"{1/Re:.10g};")
     case.replace(
         "constant/turbulenceProperties", "simulationType  laminar;",
         "simulationType RAS;\n"
-        "RAS { RASModel kOmegaSST; turbulence on; printCoeffs off; }\n",
+        f"RAS {{ RASModel {model}; turbulence on; printCoeffs off; }}\n",
     )
     case.replace("system/fvSchemes", "default backward", "default Euler")
     case.replace(
@@ -101,7 +112,8 @@ def set_model(case, Re):
         "wallDist { method meshWave; }\n"
     )
     case.replace(
-        "system/fvSolution", '"(U|UFinal)"', '"(U|k|omega)(Final)?"'
+        "system/fvSolution", '"(U|UFinal)"',
+        f'"(U|{"|".join(MODELS[model])})(Final)?"',
     )
     case.replace("system/fvSolution", "relTol          1e-3", "relTol 1e-8")
     (case.path / "constant/fvOptions").write_text(
@@ -118,7 +130,7 @@ drive
 
 def solve(
     name, folder, Re, cells, offset=None, walls="wall functions", before="",
-    grading=1, dt=0.05, steps=800, ranks=1,
+    grading=1, dt=0.05, steps=800, ranks=1, model="kOmegaSST",
 ):
     """Cell centres and velocity in units of the friction velocity. offset: of
     the immersed wall from a face, in cells; None: the wall is a patch."""
@@ -131,8 +143,8 @@ def solve(
     n = cells + BELOW if immersed else cells
     wall = "below" if immersed else "walls"
     write_mesh(case, [low, (n*h if immersed else 1, n, grading)], wall)
-    write_fields(case, wall, walls)
-    set_model(case, Re)
+    write_fields(case, wall, walls, model)
+    set_model(case, Re, model)
     case.bodies(SLAB if immersed else "", before if immersed else NO_BODY)
     case.controls(
         endTime=f"{steps*dt:g}", deltaT=dt, writeFormat="ascii",

@@ -9,6 +9,12 @@ Foam::scalar Foam::bodyWallDistance::range(const immersedBody& body)
 }
 
 
+Foam::volScalarField& Foam::bodyWallDistance::distance() const
+{
+    return const_cast<volScalarField&>(wallDist::New(mesh_).y());
+}
+
+
 bool Foam::bodyWallDistance::moved()
 {
     const PtrList<bodyRegion>& regions = bodies_.region().regions();
@@ -83,7 +89,11 @@ Foam::bodyWallDistance::bodyWallDistance
 {
     if (wanted_)
     {
-        toWalls_ = wallDist::New(mesh).y().primitiveField();
+        scalarField& y = distance().primitiveFieldRef();
+
+        // It is negative where the mesh has no walls
+        y = mag(y);
+        toWalls_ = y;
     }
 }
 
@@ -99,8 +109,7 @@ bool Foam::bodyWallDistance::update()
         return true;
     }
 
-    volScalarField& y =
-        const_cast<volScalarField&>(wallDist::New(mesh_).y());
+    volScalarField& y = distance();
 
     for (const label celli : changed_)
     {

@@ -119,7 +119,12 @@ Foam::scalar Foam::fv::bodyWalls::value
     }
     if (variable == "epsilon")
     {
-        return max(law(c).epsilon(y(c)), SMALL);
+        // Inside, k is next to nothing: the same rate epsilon/k, as models
+        // divide by it
+        const scalar k = law(c).k(y(c));
+        const scalar epsilon = law(c).epsilon(y(c));
+
+        return max(inside(c) && k > SMALL ? SMALL/k*epsilon : epsilon, SMALL);
     }
 
     return inside(c) ? 0 : law(c).nuTilda(y(c));
