@@ -17,8 +17,11 @@ SIDES = {"wallBelt": "y-", "walls": "x- x+ y+ z- z+"}
 
 def conditions(case, velocities):
     """Boundary conditions of closed walls, by patch."""
+    empty = {
+        patch: text for patch, text in velocities.items() if "empty" in text
+    }
     for field, by_patch in (
-        ("U", velocities), ("p", {".*": "type zeroGradient;"}),
+        ("U", velocities), ("p", {".*": "type zeroGradient;", **empty}),
     ):
         path = case.path/"0"/field
         head = path.read_text().split("boundaryField", 1)[0]

@@ -6,9 +6,12 @@ import shutil
 
 import pytest
 
+import boxMesh
 from bodyCase import BodyCase
+from boxMesh import uniform
 from foamCase import FoamError
 from test_contact import box2d, contact, discs
+from test_contact_walls import conditions
 
 G = 10
 SLEEP = "sleep { speed 0.03; }"
@@ -151,6 +154,29 @@ def test_sleeper_wakes_when_its_support_goes(tmp_path):
     assert steps and steps[-1] in (79, 80, 81)
     # Friction takes it along
     assert case.table("motion", 1)["velocity_x"][-1] > 0.05
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_sleeper_wakes_when_its_belt_starts(ranks, tmp_path):
+    case = settling(
+        tmp_path, discs([(0.3, -0.748)], radius=0.25, ratio=1000), end=0.6
+    )
+    boxMesh.write(
+        case, uniform(-1, 1, 20), uniform(-1, 1, 20), None,
+        {"wallBelt": "y-", "walls": "x- x+ y+"},
+    )
+    conditions(case, {
+        "wallBelt": "type uniformFixedValue; uniformValue"
+                    " table ((0 (0 0 0)) (0.4 (0 0 0)) (0.401 (-1 0 0)));",
+        "walls": "type noSlip;", "frontAndBack": "type empty;",
+    })
+    case.run("blockMesh")
+    case.solve(ranks)
+
+    asleep = [n for n, _ in progress(case)]
+    steps = [i for i, n in enumerate(asleep) if n]
+    assert steps and steps[-1] in (79, 80, 81)
+    assert case.table("motion")["velocity_x"][-1] < -0.05
 
 
 def test_sleeper_wakes_when_the_fluid_pushes(tmp_path):

@@ -155,7 +155,13 @@ bool Foam::immersedBodies::endStep()
         body.endStep(stepRatio());
     }
 
-    sleep_.update(bodies_, periodicity_, mesh_.time().deltaTValue());
+    if (sleep_.active())
+    {
+        sleep_.update
+        (
+            bodies_, periodicity_, walls_(), mesh_.time().deltaTValue()
+        );
+    }
 
     bool good = leave();
 

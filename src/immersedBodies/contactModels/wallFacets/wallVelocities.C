@@ -56,3 +56,39 @@ Foam::List<Foam::tmp<Foam::vectorField>> Foam::wallFacets::velocities() const
 
     return result;
 }
+
+
+Foam::scalar Foam::wallFacets::maxSpeed() const
+{
+    scalar speed = 0;
+
+    if (mesh_ && any_)
+    {
+        for (const tmp<vectorField>& U : velocities())
+        {
+            if (U.valid())
+            {
+                for (const vector& u : U())
+                {
+                    speed = max(speed, mag(u));
+                }
+            }
+        }
+        reduce(speed, maxOp<scalar>());
+    }
+
+    return speed;
+}
+
+
+Foam::scalar Foam::wallFacets::maxSpeedBeside(const label bodyi) const
+{
+    scalar speed = 0;
+
+    for (const facet& f : facets_[bodyi])
+    {
+        speed = max(speed, mag(f.U));
+    }
+
+    return speed;
+}
