@@ -20,6 +20,9 @@ class Box:
     """nx x ny cells, or nx x ny x nz; `ratio`: that of the cells at the walls
     to those in the middle, which have the size 1."""
 
+    # Between grains, over their diameter
+    gap = 0.375
+
     def __init__(self, *cells, ratio=1):
         self.cells = math.prod(cells)
         growth = ratio**(1/(cells[0]//2 - 1))
@@ -49,6 +52,9 @@ class Box:
 
 class Tube:
     """Round tube of the length and radius in cells, closed at both ends."""
+
+    # Where its cells are narrow grains come further than in a box
+    gap = 0.8
 
     def __init__(self, length, radius):
         square = 2*round(0.62*radius)
@@ -93,7 +99,7 @@ def bodies(mesh, number, diameter, fixed=False):
         {motion}
         random
         {{
-            number {number}; seed 1; gap {0.375*diameter};
+            number {number}; seed 1; gap {mesh.gap*diameter};
             min ({low[0]} {low[1]} {low[2]});
             max ({high[0]} {high[1]} {high[2]});
         }}
