@@ -2,6 +2,8 @@
 """Restitution of a sphere that falls onto a wall in a viscous fluid."""
 
 import math
+import sys
+from pathlib import Path
 
 import numpy as np
 
@@ -9,6 +11,10 @@ import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
 from measure import Run, set_viscosity
+
+sys.path.append(str(Path(__file__).parent))
+
+from restitutionCurve import draw  # noqa: E402, F401
 
 RATIO, DRY = 8, 0.97
 # As of a speed of one; the last but one for the quick run
