@@ -4,6 +4,7 @@
 #include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "contactModel.H"
+#include "symmetryPlanes.H"
 #include "unresolvedCoupling.H"
 
 namespace Foam
@@ -146,7 +147,13 @@ Foam::immersedBodies::immersedBodies
         wrapPositions();
     }
 
-    findSymmetry();
+    const symmetryPlanes planes(mesh);
+
+    forAll(bodies_, bodyi)
+    {
+        nParts_[bodyi] =
+            planes.bind(bodies_[bodyi], dict_.subOrEmptyDict("bodies"));
+    }
     unresolved_.reset
     (
         new unresolvedCoupling
@@ -156,7 +163,7 @@ Foam::immersedBodies::immersedBodies
     );
     placeInMesh();
     checkInside();
-    checkResolution();
+    h_.checkResolution(bodies_, dict_.subOrEmptyDict("bodies"));
 
     if (proximity_.check(bodies_, region_, h_, mesh_))
     {

@@ -62,7 +62,7 @@ void Foam::immersedBodies::placeInMesh()
     {
         const scalarField atCentre(h_);
 
-        measureCells();
+        h_.measure(bodies_, region_);
 
         // The cells at the surface may be larger than that at the centre
         forAll(bodies_, bodyi)
@@ -104,7 +104,10 @@ Foam::scalarField Foam::immersedBodies::localCellSizes() const
         }
         else if (inMesh(bodyi))
         {
-            sizes[bodyi] = largestCells(region_.region(bodyi)).first();
+            sizes[bodyi] = bodyCellSizes::largest
+            (
+                region_.region(bodyi), region_.search()
+            ).first();
         }
     }
 

@@ -111,6 +111,61 @@ bool Foam::immersedBodies::leave()
 }
 
 
+Foam::scalar Foam::immersedBodies::resolve
+(
+    immersedBody& body,
+    const bodyRegion& region
+) const
+{
+    const Pair<scalar> local(bodyCellSizes::largest(region, region_.search()));
+
+    // The last is that of the cell with the centre
+    scalarField largest(3);
+    largest[0] = local.first();
+    largest[1] = local.second();
+    largest[2] = unresolved_->cellSize(body.state().position);
+    compat::allReduce(largest, maxEqOp<scalar>());
+
+    if (largest[2] == 0)
+    {
+        return 0;
+    }
+
+    const scalar h = bodyCellSizes::at(body, {largest[0], largest[1]});
+
+    body.setResolved(unresolved_->resolves(body, max(h, largest[2])));
+
+    return body.resolved() ? h : largest[2];
+}
+
+
+bool Foam::immersedBodies::room
+(
+    const immersedBody& body,
+    const bodyRegion& region,
+    const scalar h,
+    const scalar gap
+) const
+{
+    if (body.resolved())
+    {
+        return passage_->room(body, region.cells, bodies_, h, gap);
+    }
+
+    // Unresolved ones may come as close as they fit
+    const labelList beside
+    (
+        region_.search().cellsAround
+        (
+            body.state().position,
+            body.shape().boundingRadius() + gap + h
+        )
+    );
+
+    return passage_->room(body, beside, bodies_, 0, gap);
+}
+
+
 bool Foam::immersedBodies::enter
 (
     autoPtr<immersedBody>& body,
@@ -124,41 +179,9 @@ bool Foam::immersedBodies::enter
         body(), region_.search(), region_.resistance().bandWidth()
     );
 
-    // Size of the cells, and of the one with the centre
-    const Pair<scalar> local(largestCells(region()));
-    scalarField largest(3);
-    largest[0] = local.first();
-    largest[1] = local.second();
-    largest[2] = unresolved_->cellSize(body->state().position);
-    compat::allReduce(largest, maxEqOp<scalar>());
+    const scalar h = resolve(body(), region());
 
-    scalar h = cellSize(body(), {largest[0], largest[1]});
-
-    body->setResolved(unresolved_->resolves(body(), max(h, largest[2])));
-    if (!body->resolved())
-    {
-        h = largest[2];
-    }
-
-    // Unresolved ones may come as close as they fit
-    labelList beside(region->cells);
-    scalar least = h;
-
-    if (!body->resolved())
-    {
-        beside = region_.search().cellsAround
-        (
-            body->state().position,
-            body->shape().boundingRadius() + gap + h
-        );
-        least = 0;
-    }
-
-    if
-    (
-        largest[2] == 0
-     || !passage_->room(body(), beside, bodies_, least, gap)
-    )
+    if (h == 0 || !room(body(), region(), h, gap))
     {
         return false;
     }
