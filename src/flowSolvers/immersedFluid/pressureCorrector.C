@@ -69,7 +69,7 @@ void Foam::flowSolvers::immersedFluid::project
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            phi_ = phiHbyA - tau*projection_->flux();
+            projection_->correctFlux(tau, phiHbyA, phi_);
         }
     }
 }

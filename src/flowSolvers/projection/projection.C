@@ -91,3 +91,52 @@ void Foam::projection::solve
     equation_->solve(controls);
     first_ = false;
 }
+
+
+void Foam::projection::correctFlux
+(
+    const dimensionedScalar& tau,
+    const surfaceScalarField& phiHbyA,
+    surfaceScalarField& phi
+)
+{
+    fvScalarMatrix& equation = equation_();
+
+    if (equation.faceFluxCorrectionPtr())
+    {
+        phi = phiHbyA - tau*equation.flux();
+        return;
+    }
+
+    // The same in one pass over the faces. The references store the old flux.
+    scalarField& phiInside = phi.primitiveFieldRef();
+    surfaceScalarField::Boundary& phiOnPatches = phi.boundaryFieldRef();
+    const labelUList& owner = dp_.mesh().owner();
+    const labelUList& neighbour = dp_.mesh().neighbour();
+    const scalarField& upper = equation.upper();
+
+    forAll(upper, facei)
+    {
+        const scalar flux = upper[facei]*dp_[neighbour[facei]]
+          - upper[facei]*dp_[owner[facei]];
+
+        phiInside[facei] = phiHbyA[facei] - tau.value()*flux;
+    }
+
+    forAll(dp_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& dp = dp_.boundaryField()[patchi];
+        scalarField flux
+        (
+            equation.internalCoeffs()[patchi]*dp.patchInternalField()
+        );
+
+        if (dp.coupled())
+        {
+            flux -= equation.boundaryCoeffs()[patchi]*dp.patchNeighbourField();
+        }
+
+        phiOnPatches[patchi] =
+            phiHbyA.boundaryField()[patchi] - tau.value()*flux;
+    }
+}

@@ -12,6 +12,23 @@ namespace Foam
 }
 
 
+namespace
+{
+    bool anyNonZero(const Foam::scalarField& psi)
+    {
+        for (const Foam::scalar x : psi)
+        {
+            if (x != 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}
+
+
 Foam::scalar Foam::fastPoisson::subtract
 (
     const scalarField& source,
@@ -215,9 +232,12 @@ Foam::solverPerformance Foam::fastPoisson::solve
     }
 
     solverPerformance performance(typeName, fieldName_);
-    scalarField residual(psi.size()), work(psi.size());
+    scalarField residual(psi.size(), Zero), work(psi.size());
 
-    matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+    if (returnReduce(anyNonZero(psi), orOp<bool>()))
+    {
+        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+    }
     const scalar normFactor = this->normFactor(psi, source, residual, work);
     performance.initialResidual() = subtract(source, residual)/normFactor;
     performance.finalResidual() = performance.initialResidual();
