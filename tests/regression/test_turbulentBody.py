@@ -42,9 +42,9 @@ def cylinder(folder, name, motion=FIXED, before="", steps=20):
     return case
 
 
-# On fine meshes with a wall it is 19.55 and 19.97 (benchmark turbulentBody), and
-# 19.24 on the mesh of 20 cells with wall functions for kEpsilon. Without walls
-# for the model kOmegaSST is 98 % off.
+# On fine meshes with a wall it is 19.55 and 19.97 (benchmark turbulentBody),
+# and 19.24 on the mesh of 20 cells with wall functions for kEpsilon. Without
+# walls for the model kOmegaSST is 98 % off.
 @pytest.mark.parametrize("model, cells, offset, velocity, error", [
     ("kOmegaSST", 20, 0.2, 19.55, 0.02),
     ("kOmegaSST", 20, 0.7, 19.55, 0.02),

@@ -37,8 +37,8 @@ def channel(folder, cells, offset=None, walls="wall functions", before="",
         **settings
     )
     result = Result(
-        f"channel, {model}, y+ {RE_TAU/cells:.0f} per cell, {text}", cells, U.size,
-        log.count("\nTime = "), cpu(log),
+        f"channel, {model}, y+ {RE_TAU/cells:.0f} per cell, {text}",
+        cells, U.size, log.count("\nTime = "), cpu(log),
         solver=None if offset is not None else "immersedFluid, fitted",
     )
     return result.row("U_c+", U[-1], reference or CHANNEL[model])
