@@ -216,6 +216,44 @@ Foam::fastPoisson::fastPoisson
 {}
 
 
+Foam::scalar Foam::fastPoisson::begin
+(
+    const scalarField& psi,
+    const scalarField& source,
+    const direction cmpt,
+    scalarField& residual,
+    solverPerformance& performance
+) const
+{
+    if (returnReduce(anyNonZero(psi), orOp<bool>()))
+    {
+        scalarField work(psi.size());
+
+        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+
+        const scalar norm = normFactor(psi, source, residual, work);
+        performance.initialResidual() = subtract(source, residual)/norm;
+
+        return norm;
+    }
+
+    // The same without the products with zero
+    scalar sum = 0;
+
+    forAll(residual, celli)
+    {
+        residual[celli] = source[celli];
+        sum += mag(source[celli]);
+    }
+    reduce(sum, sumOp<scalar>());
+
+    const scalar norm = sum + solverPerformance::small_;
+    performance.initialResidual() = sum/norm;
+
+    return norm;
+}
+
+
 Foam::solverPerformance Foam::fastPoisson::solve
 (
     scalarField& psi,
@@ -232,14 +270,9 @@ Foam::solverPerformance Foam::fastPoisson::solve
     }
 
     solverPerformance performance(typeName, fieldName_);
-    scalarField residual(psi.size(), Zero), work(psi.size());
+    scalarField residual(psi.size());
+    const scalar normFactor = begin(psi, source, cmpt, residual, performance);
 
-    if (returnReduce(anyNonZero(psi), orOp<bool>()))
-    {
-        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
-    }
-    const scalar normFactor = this->normFactor(psi, source, residual, work);
-    performance.initialResidual() = subtract(source, residual)/normFactor;
     performance.finalResidual() = performance.initialResidual();
 
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_))

@@ -23,14 +23,15 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     matrix_(matrix),
     psi_(psi),
     source_(matrix.source()),
-    diag_(matrix.diag().size()),
+    rDiag_(matrix.diag().size()),
+    work_(matrix.diag().size()),
     performance_("smoothSolver", psi.name())
 {
     const scalarField& diag = matrix.diag();
 
-    forAll(diag_, celli)
+    forAll(rDiag_, celli)
     {
-        diag_[celli] = vector::uniform(diag[celli]);
+        rDiag_[celli] = vector::uniform(diag[celli]);
     }
 
     forAll(psi.boundaryField(), patchi)
@@ -42,12 +43,17 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
 
         forAll(internal, i)
         {
-            diag_[cells[i]] += internal[i];
+            rDiag_[cells[i]] += internal[i];
             if (!coupled)
             {
                 source_[cells[i]] += boundary[i];
             }
         }
+    }
+
+    for (vector& d : rDiag_)
+    {
+        d = cmptDivide(vector::one, d);
     }
 
     const Vector<label> valid(psi.mesh().validComponents<vector>());
@@ -100,6 +106,7 @@ void Foam::vectorSmoothSolver::updateCoupled()
 
 void Foam::vectorSmoothSolver::addCoupled
 (
+    const scalar factor,
     const bool one,
     vectorField& b
 ) const
@@ -122,13 +129,13 @@ void Foam::vectorSmoothSolver::addCoupled
 
         forAll(coeffs, i)
         {
-            b[cells[i]] += cmptMultiply(coeffs[i], tbeyond()[i]);
+            b[cells[i]] += factor*cmptMultiply(coeffs[i], tbeyond()[i]);
         }
     }
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::vectorSmoothSolver::multiply() const
+void Foam::vectorSmoothSolver::multiply()
 {
     const labelUList& l = matrix_.lduAddr().lowerAddr();
     const labelUList& u = matrix_.lduAddr().upperAddr();
@@ -136,66 +143,70 @@ Foam::tmp<Foam::vectorField> Foam::vectorSmoothSolver::multiply() const
     const scalarField& upper = matrix_.upper();
     const vectorField& psi = psi_.primitiveField();
 
-    tmp<vectorField> tApsi(new vectorField(psi.size(), Zero));
-    vectorField& Apsi = tApsi.ref();
-
-    addCoupled(false, Apsi);
-
-    forAll(Apsi, celli)
+    forAll(work_, celli)
     {
-        Apsi[celli] = cmptMultiply(diag_[celli], psi[celli]) - Apsi[celli];
+        work_[celli] = cmptDivide(psi[celli], rDiag_[celli]);
     }
+
+    addCoupled(-1, false, work_);
 
     forAll(l, facei)
     {
-        Apsi[l[facei]] += upper[facei]*psi[u[facei]];
-        Apsi[u[facei]] += lower[facei]*psi[l[facei]];
+        work_[l[facei]] += upper[facei]*psi[u[facei]];
+        work_[u[facei]] += lower[facei]*psi[l[facei]];
     }
-
-    return tApsi;
 }
 
 
-Foam::vector Foam::vectorSmoothSolver::sumMag
-(
-    const vectorField& residual
-) const
+void Foam::vectorSmoothSolver::multiply(vectorField& sumA)
+{
+    const labelUList& l = matrix_.lduAddr().lowerAddr();
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    const scalarField& lower = matrix_.lower();
+    const scalarField& upper = matrix_.upper();
+    const vectorField& psi = psi_.primitiveField();
+
+    forAll(work_, celli)
+    {
+        sumA[celli] = cmptDivide(vector::one, rDiag_[celli]);
+        work_[celli] = cmptMultiply(sumA[celli], psi[celli]);
+    }
+
+    addCoupled(-1, false, work_);
+    addCoupled(-1, true, sumA);
+
+    forAll(l, facei)
+    {
+        const label o = l[facei];
+        const label n = u[facei];
+
+        work_[o] += upper[facei]*psi[n];
+        work_[n] += lower[facei]*psi[o];
+        sumA[o] += vector::uniform(upper[facei]);
+        sumA[n] += vector::uniform(lower[facei]);
+    }
+}
+
+
+Foam::vector Foam::vectorSmoothSolver::sumMag() const
 {
     vector sum(Zero);
 
-    for (const vector& r : residual)
+    forAll(work_, celli)
     {
-        addMag(sum, r);
+        addMag(sum, source_[celli] - work_[celli]);
     }
 
     return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
 }
 
 
-Foam::vector Foam::vectorSmoothSolver::normFactor
-(
-    const vectorField& Apsi
-) const
+Foam::vector Foam::vectorSmoothSolver::normFactor()
 {
-    const labelUList& l = matrix_.lduAddr().lowerAddr();
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const scalarField& lower = matrix_.lower();
-    const scalarField& upper = matrix_.upper();
     const vector mean(gAverage(psi_.primitiveField()));
+    vectorField sumA(work_.size());
 
-    // Row sums: of the coupled coefficients, then all
-    vectorField sumA(diag_.size(), Zero);
-    addCoupled(true, sumA);
-
-    forAll(sumA, celli)
-    {
-        sumA[celli] = diag_[celli] - sumA[celli];
-    }
-    forAll(l, facei)
-    {
-        sumA[l[facei]] += vector::uniform(upper[facei]);
-        sumA[u[facei]] += vector::uniform(lower[facei]);
-    }
+    multiply(sumA);
 
     vector sum(Zero);
 
@@ -203,7 +214,7 @@ Foam::vector Foam::vectorSmoothSolver::normFactor
     {
         const vector reference(cmptMultiply(sumA[celli], mean));
 
-        addMag(sum, Apsi[celli] - reference);
+        addMag(sum, work_[celli] - reference);
         addMag(sum, source_[celli] - reference);
     }
 
@@ -214,9 +225,9 @@ Foam::vector Foam::vectorSmoothSolver::normFactor
 
 void Foam::vectorSmoothSolver::sweep()
 {
-    const label nCells = diag_.size();
-    vectorField b(source_);
-    addCoupled(false, b);
+    const label nCells = work_.size();
+    work_ = source_;
+    addCoupled(1, false, work_);
 
     const label* const __restrict__ u =
         matrix_.lduAddr().upperAddr().begin();
@@ -224,8 +235,8 @@ void Foam::vectorSmoothSolver::sweep()
         matrix_.lduAddr().ownerStartAddr().begin();
     const scalar* const __restrict__ lower = matrix_.lower().begin();
     const scalar* const __restrict__ upper = matrix_.upper().begin();
-    const vector* const __restrict__ diag = diag_.begin();
-    vector* const __restrict__ bPtr = b.begin();
+    const vector* const __restrict__ rDiag = rDiag_.begin();
+    vector* const __restrict__ bPtr = work_.begin();
     vector* const psi = psi_.primitiveFieldRef().begin();
 
     // The row's own unknown, from those of its upper neighbours and what the
@@ -239,7 +250,7 @@ void Foam::vectorSmoothSolver::sweep()
             x -= upper[facei]*psi[u[facei]];
         }
 
-        x = cmptDivide(x, diag[celli]);
+        x = cmptMultiply(x, rDiag[celli]);
 
         for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
         {
@@ -328,17 +339,16 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
 
     while (true)
     {
-        const vectorField Apsi(multiply());
-
         if (n == 0)
         {
-            norm = normFactor(Apsi);
+            norm = normFactor();
+        }
+        else
+        {
+            multiply();
         }
 
-        const vector residual
-        (
-            cmptDivide(sumMag(source_ - Apsi), norm)
-        );
+        const vector residual(cmptDivide(sumMag(), norm));
 
         if (n == 0)
         {
