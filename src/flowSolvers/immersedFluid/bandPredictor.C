@@ -42,8 +42,7 @@ void Foam::flowSolvers::immersedFluid::clearMomentum()
     tUEqn.clear();
     A0_.clear();
     nuEff_.clear();
-    convecting_.clear();
-    source0_.clear();
+    smoothing_.clear();
 }
 
 
@@ -54,18 +53,22 @@ bool Foam::flowSolvers::immersedFluid::predictBands()
     fvVectorMatrix& E0 = tUEqn.ref();
     const immersedRegion& region = bodies_->region();
 
-    E0.source() = source0_;
-
     if (!stokes_)
     {
-        region.addConvection(phi_, convecting_(), U_, E0.source());
+        vectorField& source = E0.source();
+
+        UIndirectList<vector>(source, corrected_) = uncorrected_;
+        corrected_ = region.cells();
+        uncorrected_ = vectorField(source, corrected_);
+        region.addConvection(phi_, convecting_(), U_, source);
     }
 
     bodies_->updateResistance
     (
         ddtCoefficients(mesh_, U_.name()),
         A0_(),
-        viscosity()
+        viscosity(),
+        true
     );
 
     const dictionary& solver = mesh_.solver(U_.select(true));

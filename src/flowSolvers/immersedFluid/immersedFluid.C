@@ -60,6 +60,18 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
         // Two previous levels, to extrapolate from
         p_.oldTime().oldTime();
     }
+    if (bodies_->moving() && !stokes_)
+    {
+        convecting_.reset
+        (
+            new surfaceScalarField
+            (
+                IOobject("convecting", runTime_.timeName(), mesh_),
+                mesh_,
+                phi_.dimensions()
+            )
+        );
+    }
     if (!stokes_)
     {
         phi_.oldTime().oldTime();

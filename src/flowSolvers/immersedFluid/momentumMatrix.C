@@ -112,3 +112,31 @@ void Foam::flowSolvers::immersedFluid::addOptions(fvVectorMatrix& eqn)
         eqn -= options;
     }
 }
+
+
+void Foam::flowSolvers::immersedFluid::addBodies(fvVectorMatrix& eqn)
+{
+    const tmp<vectorField> tdrive(drive());
+    const vectorField& f = tdrive();
+    const scalarField& V = mesh_.V();
+    vectorField& source = eqn.source();
+
+    source0_.resize(source.size());
+
+    forAll(source, celli)
+    {
+        source0_[celli] = source[celli];
+        source[celli] -= V[celli]*f[celli];
+    }
+    bodies_->region().penalise(A0_(), f, eqn, replaced_);
+}
+
+
+void Foam::flowSolvers::immersedFluid::removeBodies(fvVectorMatrix& eqn)
+{
+    // The rows without bodies are needed again: for loads, and in the bands
+    bodies_->region().unpenalise(replaced_, eqn);
+    eqn.source().swap(source0_);
+    corrected_.clear();
+    uncorrected_.clear();
+}

@@ -7,6 +7,11 @@
 
 namespace
 {
+    //- Part of the usual smoothing of the flux by the pressure: enough against
+    //  wiggles, and what it leaks through the bodies is below the error of the
+    //  layer
+    const Foam::scalar smoothing = 0.1;
+
     //- Values on the patches that are not coupled
     Foam::scalarField patchValues(const Foam::volScalarField& field)
     {
@@ -51,8 +56,20 @@ void Foam::flowSolvers::immersedFluid::extrapolateFlux()
         const scalar ratio =
             runTime_.deltaTValue()/runTime_.deltaT0Value();
         const surfaceScalarField& phi0 = phi_.oldTime();
+        const surfaceScalarField& phi00 = phi0.oldTime();
+        surfaceScalarField::Boundary& onPatches = phi_.boundaryFieldRef();
 
-        phi_ = phi0 + ratio*(phi0 - phi0.oldTime());
+        forAll(phi_, facei)
+        {
+            phi_[facei] = phi0[facei] + ratio*(phi0[facei] - phi00[facei]);
+        }
+        forAll(onPatches, patchi)
+        {
+            const scalarField& old = phi0.boundaryField()[patchi];
+
+            onPatches[patchi] =
+                old + ratio*(old - phi00.boundaryField()[patchi]);
+        }
     }
 }
 
@@ -173,12 +190,9 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     clearMomentum();
     tUEqn = assembleMomentum();
-    if (bodies_->moving() && !stokes_)
-    {
-        convecting_ = new surfaceScalarField("convecting", phi_);
-    }
     bodies_->addUnresolved(force_);
     A0_ = tUEqn().A();
+    smoothing_ = smoothing/A0_();
 
     const ddtCoefficients ddt(mesh_, U_.name());
 
@@ -186,18 +200,9 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     fvVectorMatrix& UEqn = tUEqn.ref();
 
-    {
-        const tmp<vectorField> tdrive(drive());
-
-        source0_ = UEqn.source();
-        UEqn.source() -= mesh_.V()*tdrive();
-        bodies_->region().penalise(A0_(), tdrive(), UEqn, replaced_);
-    }
+    addBodies(UEqn);
     solveMomentum(UEqn);
-
-    // The rows without bodies are needed again: for loads, and in the bands
-    bodies_->region().unpenalise(replaced_, UEqn);
-    UEqn.source() = source0_;
+    removeBodies(UEqn);
     correctUnresolved(ddt);
 
     fvOptions.correct(U_);

@@ -10,48 +10,77 @@
 #include "profiling.H"
 #include "smoothedFlux.H"
 
-
-Foam::tmp<Foam::surfaceScalarField>
-Foam::flowSolvers::immersedFluid::predictImmersedFlux()
+namespace
 {
-    // Part of the usual pressure smoothing: enough against wiggles, and what
-    // it leaks through the bodies is below the error of the layer
-    const scalar smoothing = 0.1;
-    const volScalarField tau(smoothing/A0_());
+    //- Swap the values of two fluxes, without copies
+    void swapValues
+    (
+        Foam::surfaceScalarField& one,
+        Foam::surfaceScalarField& other
+    )
+    {
+        one.primitiveFieldRef().swap(other.primitiveFieldRef());
 
-    const smoothedFlux flux(U_, p_, gradP_(), tau);
+        forAll(one.boundaryField(), patchi)
+        {
+            one.boundaryFieldRef()[patchi].swap
+            (
+                other.boundaryFieldRef()[patchi]
+            );
+        }
+    }
+}
 
-    tmp<surfaceScalarField> tphi(new surfaceScalarField("phiHbyA", phi_));
+
+bool Foam::flowSolvers::immersedFluid::openPatches() const
+{
+    for (const fvPatchVectorField& patch : U_.boundaryField())
+    {
+        if (!patch.coupled() && !patch.fixesValue())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+void Foam::flowSolvers::immersedFluid::predictImmersedFlux()
+{
+    const smoothedFlux flux(U_, p_, gradP_(), smoothing_());
 
     if (bandOnly_)
     {
         DynamicList<label> faces;
         bodies_->region().bandFaces(faces);
-        flux.set(faces, tphi.ref());
+        flux.set(faces, phi_);
     }
     else
     {
-        flux.set(tphi.ref());
+        if (convecting_.valid())
+        {
+            swapValues(phi_, convecting_());
+        }
+        flux.set(phi_);
     }
 
-    MRF.makeRelative(tphi.ref());
-    bodies_->region().shieldFlux(tphi.ref());
+    MRF.makeRelative(phi_);
+    bodies_->region().shieldFlux(phi_);
 
-    if (p_.needReference())
+    // In the bands of bodies it is the same as before
+    if (p_.needReference() && (!bandOnly_ || openPatches()))
     {
-        adjustPhi(tphi.ref(), U_, p_);
+        adjustPhi(phi_, U_, p_);
     }
 
-    constrainPressure(p_, U_, tphi(), tau, MRF);
-
-    return tphi;
+    constrainPressure(p_, U_, phi_, smoothing_(), MRF);
 }
 
 
 void Foam::flowSolvers::immersedFluid::project
 (
     const dimensionedScalar& tau,
-    const surfaceScalarField& phiHbyA,
     const volScalarField& divPhi
 )
 {
@@ -69,7 +98,7 @@ void Foam::flowSolvers::immersedFluid::project
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            projection_->correctFlux(tau, phiHbyA, phi_);
+            projection_->correctFlux(tau, phi_);
         }
     }
 }
@@ -85,8 +114,7 @@ void Foam::flowSolvers::immersedFluid::setGradients
 
     if (pairOfGradients_ && gradP_.valid())
     {
-        pairGradient::set(p_, dp, gradP_.ref(), dU);
-        dU *= tau;
+        pairGradient::set(p_, dp, tau, gradP_.ref(), dU);
         return;
     }
 
@@ -131,11 +159,11 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
     const volScalarField& dp = projection_->dp();
 
-    const tmp<surfaceScalarField> tphiHbyA(predictImmersedFlux());
-    const surfaceScalarField& phiHbyA = tphiHbyA();
-    const volScalarField divPhi(fvc::div(phiHbyA));
+    predictImmersedFlux();
 
-    project(tau, phiHbyA, divPhi);
+    const volScalarField divPhi(fvc::div(phi_));
+
+    project(tau, divPhi);
 
     p_.primitiveFieldRef() += dp.primitiveField()
       - viscosity().primitiveField()*divPhi.primitiveField();

@@ -68,6 +68,7 @@ void Foam::pairGradient::set
 (
     const volScalarField& p,
     const volScalarField& q,
+    const scalar factor,
     volVectorField& gradP,
     vectorField& gradQ
 )
@@ -112,7 +113,7 @@ void Foam::pairGradient::set
     forAll(V, celli)
     {
         sumP[celli] /= V[celli];
-        gradQ[celli] /= V[celli];
+        gradQ[celli] *= factor/V[celli];
     }
 
     gradP.correctBoundaryConditions();

@@ -71,15 +71,12 @@ void Foam::projection::solve
     scalarField& source = equation_->source();
     const scalarField& V = dp_.mesh().V();
 
-    // From dp = 0 there is nothing to correct for
-    if (first_)
-    {
-        source = Zero;
-    }
-
     forAll(source, celli)
     {
-        source[celli] += V[celli]*divPhi[celli]/tau.value();
+        // From dp = 0 there is nothing to correct for
+        const scalar correction = first_ ? 0 : source[celli];
+
+        source[celli] = correction + V[celli]*divPhi[celli]/tau.value();
     }
 
     // Half of this diagonal, as setReference has doubled it
@@ -96,7 +93,6 @@ void Foam::projection::solve
 void Foam::projection::correctFlux
 (
     const dimensionedScalar& tau,
-    const surfaceScalarField& phiHbyA,
     surfaceScalarField& phi
 )
 {
@@ -104,11 +100,11 @@ void Foam::projection::correctFlux
 
     if (equation.faceFluxCorrectionPtr())
     {
-        phi = phiHbyA - tau*equation.flux();
+        phi -= tau*equation.flux();
         return;
     }
 
-    // The same in one pass over the faces. The references store the old flux.
+    // The same in one pass over the faces
     scalarField& phiInside = phi.primitiveFieldRef();
     surfaceScalarField::Boundary& phiOnPatches = phi.boundaryFieldRef();
     const labelUList& owner = dp_.mesh().owner();
@@ -120,7 +116,7 @@ void Foam::projection::correctFlux
         const scalar flux = upper[facei]*dp_[neighbour[facei]]
           - upper[facei]*dp_[owner[facei]];
 
-        phiInside[facei] = phiHbyA[facei] - tau.value()*flux;
+        phiInside[facei] -= tau.value()*flux;
     }
 
     forAll(dp_.boundaryField(), patchi)
@@ -136,7 +132,6 @@ void Foam::projection::correctFlux
             flux -= equation.boundaryCoeffs()[patchi]*dp.patchNeighbourField();
         }
 
-        phiOnPatches[patchi] =
-            phiHbyA.boundaryField()[patchi] - tau.value()*flux;
+        phiOnPatches[patchi] -= tau.value()*flux;
     }
 }

@@ -5,21 +5,11 @@
 void Foam::bandRows::addBoundary
 (
     const label row,
-    const label facei,
+    const label patchi,
+    const label i,
     vector& diag
 )
 {
-    const fvMesh& mesh = matrix_.psi().mesh();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const label patchi = patches.patchID()[facei - mesh.nInternalFaces()];
-    const label i = facei - patches[patchi].start();
-
-    // Empty patches have none
-    if (i >= matrix_.internalCoeffs()[patchi].size())
-    {
-        return;
-    }
-
     diag += matrix_.internalCoeffs()[patchi][i];
 
     if (matrix_.psi().boundaryField()[patchi].coupled())
@@ -36,6 +26,7 @@ void Foam::bandRows::addBoundary
 Foam::bandRows::bandRows
 (
     const fvVectorMatrix& E0,
+    const cellNeighbours& neighbours,
     const labelUList& cells,
     const scalarField& K,
     const vectorField& f
@@ -47,10 +38,9 @@ Foam::bandRows::bandRows
     source_(E0.source(), cells),
     rDiag_(cells.size())
 {
-    const fvMesh& mesh = E0.psi().mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const scalarField& V = mesh.V();
+    const scalarField& V = E0.psi().mesh().V();
+    const scalarField& lower = E0.lower();
+    const scalarField& upper = E0.upper();
 
     columns_.reserve(6*cells.size());
     coeffs_.reserve(6*cells.size());
@@ -63,18 +53,15 @@ Foam::bandRows::bandRows
         start_[row] = columns_.size();
         source_[row] += V[celli]*f[row];
 
-        for (const label facei : mesh.cells()[celli])
+        for (const auto& n : neighbours.of(celli))
         {
-            if (!mesh.isInternalFace(facei))
-            {
-                addBoundary(row, facei, diag);
-                continue;
-            }
+            columns_.append(n.cell());
+            coeffs_.append((n.owner() ? upper : lower)[n.face()]);
+        }
 
-            const bool owner = own[facei] == celli;
-
-            columns_.append(owner ? nei[facei] : own[facei]);
-            coeffs_.append(owner ? E0.upper()[facei] : E0.lower()[facei]);
+        for (const auto& face : neighbours.onPatches(celli))
+        {
+            addBoundary(row, face.patch, face.face, diag);
         }
 
         rDiag_[row] = cmptDivide(vector::one, diag);

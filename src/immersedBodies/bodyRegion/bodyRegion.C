@@ -4,9 +4,15 @@
 
 namespace
 {
-    //- Part of a body's width that its surface follows it without being
-    //  evaluated: errors, over the width, are of the order of its square
+    // As parts of a body's width
+
+    //- How far its surface follows it without being evaluated: errors, over
+    //  the width, are of the order of its square
     const Foam::scalar maxFollowed = 0.0025;
+
+    //- How far it moves in later iterations without its surface following it:
+    //  a ten-thousandth of a cell of one of ten
+    const Foam::scalar minFollowed = 1e-5;
 }
 
 
@@ -153,14 +159,31 @@ void Foam::bodyRegion::select
 }
 
 
+Foam::scalar Foam::bodyRegion::moved(const immersedBody& body) const
+{
+    const bodyState& state = body.state();
+    const quaternion turn(state.orientation*conjugate(orientation_));
+
+    return mag(state.position - position_)
+      + 2*mag(turn.v())*body.shape().boundingRadius();
+}
+
+
+bool Foam::bodyRegion::serves(const immersedBody& body) const
+{
+    return searchMargin_ > 0
+      ? moved(body) < minFollowed*body.shape().width()
+      : !body.resolved();
+}
+
+
 bool Foam::bodyRegion::follow(const immersedBody& body, const fvMesh& mesh)
 {
     const bodyState& state = body.state();
     const vector move(state.position - position_);
     const quaternion turn(state.orientation*conjugate(orientation_));
     const vector angle((turn.w() < 0 ? -2 : 2)*turn.v());
-    const scalar far =
-        followed_ + mag(move) + mag(angle)*body.shape().boundingRadius();
+    const scalar far = followed_ + moved(body);
 
     if (searchMargin_ < 0 || far > maxFollowed*body.shape().width())
     {
@@ -188,7 +211,7 @@ bool Foam::bodyRegion::follow(const immersedBody& body, const fvMesh& mesh)
 }
 
 
-bool Foam::bodyRegion::update
+Foam::bodyRegion::change Foam::bodyRegion::update
 (
     const immersedBody& body,
     const cellSearch& search,
@@ -206,12 +229,17 @@ bool Foam::bodyRegion::update
      && state.orientation == orientation_
     )
     {
-        return false;
+        return change::none;
+    }
+
+    if (again && serves(body))
+    {
+        return change::none;
     }
 
     if (again && follow(body, search.mesh()))
     {
-        return true;
+        return change::moved;
     }
 
     position_ = state.position;
@@ -264,7 +292,7 @@ bool Foam::bodyRegion::update
     shield.setSize(cells.size());
     faceShield.setSize(faces.size());
 
-    return true;
+    return change::anew;
 }
 
 

@@ -92,12 +92,13 @@ void Foam::immersedBodies::updateResistance
 (
     const ddtCoefficients& ddt,
     const scalarField& A0,
-    const scalarField& nu
+    const scalarField& nu,
+    const bool again
 )
 {
     addProfiling(resistance, "immersedBodies::updateResistance");
 
-    region_.updateResistance(bodies_, A0, nu);
+    region_.updateResistance(bodies_, A0, nu, again);
     region_.updateVelocity(bodies_, ddt);
 }
 

@@ -17,6 +17,7 @@ Foam::immersedRegion::immersedRegion
     mesh_(mesh),
     periodicity_(periods),
     search_(mesh, space),
+    neighbours_(mesh),
     delta_(mesh.boundary().size()),
     resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
     regions_(nBodies),
@@ -32,6 +33,7 @@ Foam::immersedRegion::immersedRegion
     shield_(mesh.nCells(), Zero),
     faceShield_(mesh.nFaces(), Zero),
     bodyFlux_(mesh.nFaces(), Zero),
+    same_(false),
     weight_(mesh.nCells(), Zero)
 {
     forAll(regions_, bodyi)
@@ -159,27 +161,59 @@ void Foam::immersedRegion::remove(const label bodyi)
 }
 
 
+bool Foam::immersedRegion::serves(const PtrList<immersedBody>& bodies) const
+{
+    forAll(bodies, bodyi)
+    {
+        if (!regions_[bodyi].serves(bodies[bodyi]))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
 void Foam::immersedRegion::updateGeometry
 (
     const PtrList<immersedBody>& bodies,
-    bool changed,
+    const bool changed,
     const bool again
 )
 {
+    // By the bodies alone, which are the same on all processors
+    same_ = again && !changed && serves(bodies);
+
+    if (same_)
+    {
+        return;
+    }
+
     updateImages(bodies);
+
+    typedef bodyRegion::change change;
+    bool moved = changed, anew = changed;
 
     for (bodyRegion& region : regions_)
     {
         const immersedBody& body = bodies[region.body()];
-        const bool moved =
-            body.resolved()
-          ? region.update(body, search_, resistance_->bandWidth(), again)
-          : region.clear();
 
-        changed = moved || changed;
+        if (body.resolved())
+        {
+            const change done =
+                region.update(body, search_, resistance_->bandWidth(), again);
+
+            moved = moved || done != change::none;
+            anew = anew || done == change::anew;
+        }
+        else if (region.clear())
+        {
+            moved = anew = true;
+        }
     }
 
-    if (!changed)
+    if (!moved)
     {
         return;
     }
@@ -189,15 +223,10 @@ void Foam::immersedRegion::updateGeometry
         resistance_->setShield(bodies[region.body()], region);
     }
 
-    UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
-    UIndirectList<vector>(KU_, cells_) = vector::zero;
-    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
-    UIndirectList<scalar>(shield_, cells_) = 0;
-    UIndirectList<scalar>(faceShield_, faces_) = 0;
-    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
-
-    unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
-    unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
+    if (anew)
+    {
+        collect();
+    }
 
     combineShields
     (
@@ -210,13 +239,33 @@ void Foam::immersedRegion::updateGeometry
 }
 
 
+void Foam::immersedRegion::collect()
+{
+    UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
+    UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
+    UIndirectList<scalar>(shield_, cells_) = 0;
+    UIndirectList<scalar>(faceShield_, faces_) = 0;
+    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
+
+    unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
+    unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
+}
+
+
 void Foam::immersedRegion::updateResistance
 (
     const PtrList<immersedBody>& bodies,
     const scalarField& A0,
-    const scalarField& nu
+    const scalarField& nu,
+    const bool again
 )
 {
+    if (again && same_)
+    {
+        return;
+    }
+
     scalarField& K = K_.primitiveFieldRef();
     UIndirectList<scalar>(K, cells_) = 0;
 
@@ -260,10 +309,16 @@ void Foam::immersedRegion::updateVelocity
         {
             const label celli = region.cells[i];
 
-            KU_[celli] +=
-                region.resistance[i]*region.velocity(state, centres[celli]);
-            shieldDU_[celli] +=
-                region.shield[i]*acceleration(centres[celli] - centre);
+            const vector r(centres[celli] - centre);
+
+            if (region.resistance[i] > 0)
+            {
+                KU_[celli] += region.resistance[i]*(state.U + (state.omega^r));
+            }
+            if (region.shield[i] > 0)
+            {
+                shieldDU_[celli] += region.shield[i]*acceleration(r);
+            }
         }
 
         forAll(region.faces, i)

@@ -20,35 +20,24 @@ void Foam::immersedRegion::addConvection
 ) const
 {
     const surfaceScalarField& weights = mesh_.weights();
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const List<vectorField> neighbourU(coupledNeighbours(U));
 
     for (const label celli : cells_)
     {
-        for (const label facei : mesh_.cells()[celli])
+        for (const auto& n : neighbours_.of(celli))
         {
-            if (mesh_.isInternalFace(facei))
-            {
-                const bool out = own[facei] == celli;
-                const scalar part = out ? 1 - weights[facei] : weights[facei];
-                const label other = out ? nei[facei] : own[facei];
-                const scalar change = phi[facei] - phi0[facei];
+            const label facei = n.face();
+            const scalar w = weights[facei];
+            const scalar change = phi[facei] - phi0[facei];
 
-                source[celli] -=
-                    (out ? change : -change)*part*(U[other] - U[celli]);
-                continue;
-            }
+            source[celli] -= change*(n.owner() ? 1 - w : -w)
+               *(U[n.cell()] - U[celli]);
+        }
 
-            const label patchi = patchOf(facei);
-            const label i = facei - patches[patchi].start();
-
-            if (i >= phi.boundaryField()[patchi].size())
-            {
-                continue;
-            }
-
+        for (const auto& face : neighbours_.onPatches(celli))
+        {
+            const label patchi = face.patch;
+            const label i = face.face;
             const scalar change =
                 phi.boundaryField()[patchi][i]
               - phi0.boundaryField()[patchi][i];
@@ -81,7 +70,7 @@ Foam::label Foam::immersedRegion::relax
           - (1 - shield_[celli])*gradP[celli];
     }
 
-    bandRows rows(E0, cells_, K_, f);
+    bandRows rows(E0, neighbours_, cells_, K_, f);
     const vectorField before(U.primitiveField(), cells_);
     scalar first = 0;
 
@@ -122,15 +111,21 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
 
     for (const label celli : cells_)
     {
-        for (const label facei : mesh_.cells()[celli])
+        for (const auto& n : neighbours_.of(celli))
         {
-            const label own = mesh_.faceOwner()[facei];
-
             // Once
-            if (own == celli || weight_[own] == 0)
+            if (n.owner() || weight_[n.cell()] == 0)
             {
-                faces.append(facei);
+                faces.append(n.face());
             }
+        }
+
+        for (const auto& face : neighbours_.onPatches(celli))
+        {
+            faces.append
+            (
+                mesh_.boundaryMesh()[face.patch].start() + face.face
+            );
         }
     }
 

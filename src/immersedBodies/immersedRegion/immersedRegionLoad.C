@@ -31,37 +31,25 @@ Foam::vector Foam::immersedRegion::rowH
     const label celli
 ) const
 {
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const scalarField& lower = E0.lower();
+    const scalarField& upper = E0.upper();
     vector h(E0.source()[celli]);
 
-    for (const label facei : mesh_.cells()[celli])
+    for (const auto& n : neighbours_.of(celli))
     {
-        if (mesh_.isInternalFace(facei))
-        {
-            h -= own[facei] == celli
-              ? E0.upper()[facei]*U[nei[facei]]
-              : E0.lower()[facei]*U[own[facei]];
-            continue;
-        }
+        h -= (n.owner() ? upper : lower)[n.face()]*U[n.cell()];
+    }
 
-        const label patchi = patchOf(facei);
-        const label i = facei - patches[patchi].start();
-
-        if (i >= E0.internalCoeffs()[patchi].size())
-        {
-            continue;
-        }
-
+    for (const auto& face : neighbours_.onPatches(celli))
+    {
         // As A0 has the mean of the components of the diagonal, their
         // differences belong here
-        const vector& diag = E0.internalCoeffs()[patchi][i];
-        const vector& coeff = E0.boundaryCoeffs()[patchi][i];
+        const vector& diag = E0.internalCoeffs()[face.patch][face.face];
+        const vector& coeff = E0.boundaryCoeffs()[face.patch][face.face];
 
         h += cmptMultiply(vector::uniform(cmptAv(diag)) - diag, U[celli]);
-        h += neighbourU[patchi].size()
-          ? vector(cmptMultiply(coeff, neighbourU[patchi][i]))
+        h += neighbourU[face.patch].size()
+          ? vector(cmptMultiply(coeff, neighbourU[face.patch][face.face]))
           : coeff;
     }
 

@@ -17,9 +17,6 @@ void Foam::immersedRegion::penalise
 
     const scalarField& V = mesh_.V();
     const scalarField& K = K_;
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
     // Both, as the scaled matrix is not symmetric even where E0 is
     scalarField& lower = E.lower();
@@ -46,29 +43,23 @@ void Foam::immersedRegion::penalise
                 )
             );
 
-        for (const label facei : mesh_.cells()[celli])
+        for (const auto& n : neighbours_.of(celli))
         {
-            if (facei < nInternal)
-            {
-                scalar& coeff = own[facei] == celli
-                  ? upper[facei]
-                  : lower[facei];
+            scalar& coeff = (n.owner() ? upper : lower)[n.face()];
 
-                replaced.rows.append(coeff);
-                coeff *= scale;
-                continue;
-            }
+            replaced.rows.append(coeff);
+            coeff *= scale;
+        }
 
-            const label patchi = patchOf(facei);
-            const label i = facei - patches[patchi].start();
+        for (const auto& face : neighbours_.onPatches(celli))
+        {
+            vector& internal = E.internalCoeffs()[face.patch][face.face];
+            vector& boundary = E.boundaryCoeffs()[face.patch][face.face];
 
-            if (i < E.internalCoeffs()[patchi].size())
-            {
-                replaced.patches.append(E.internalCoeffs()[patchi][i]);
-                replaced.patches.append(E.boundaryCoeffs()[patchi][i]);
-                E.internalCoeffs()[patchi][i] *= scale;
-                E.boundaryCoeffs()[patchi][i] *= scale;
-            }
+            replaced.patches.append(internal);
+            replaced.patches.append(boundary);
+            internal *= scale;
+            boundary *= scale;
         }
     }
 }
@@ -80,10 +71,6 @@ void Foam::immersedRegion::unpenalise
     fvVectorMatrix& E
 ) const
 {
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-
     scalarField& lower = E.lower();
     scalarField& upper = E.upper();
     scalarField& diag = E.diag();
@@ -93,23 +80,17 @@ void Foam::immersedRegion::unpenalise
     {
         diag[celli] = replaced.rows[row++];
 
-        for (const label facei : mesh_.cells()[celli])
+        for (const auto& n : neighbours_.of(celli))
         {
-            if (facei < nInternal)
-            {
-                (own[facei] == celli ? upper : lower)[facei] =
-                    replaced.rows[row++];
-                continue;
-            }
+            (n.owner() ? upper : lower)[n.face()] = replaced.rows[row++];
+        }
 
-            const label patchi = patchOf(facei);
-            const label i = facei - patches[patchi].start();
-
-            if (i < E.internalCoeffs()[patchi].size())
-            {
-                E.internalCoeffs()[patchi][i] = replaced.patches[patch++];
-                E.boundaryCoeffs()[patchi][i] = replaced.patches[patch++];
-            }
+        for (const auto& face : neighbours_.onPatches(celli))
+        {
+            E.internalCoeffs()[face.patch][face.face] =
+                replaced.patches[patch++];
+            E.boundaryCoeffs()[face.patch][face.face] =
+                replaced.patches[patch++];
         }
     }
 }
