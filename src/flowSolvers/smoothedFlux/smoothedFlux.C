@@ -124,6 +124,9 @@ Foam::scalar Foam::smoothedFlux::boundary
 
 void Foam::smoothedFlux::set(surfaceScalarField& phi) const
 {
+    // The reference stores the old flux
+    scalarField& inside = phi.primitiveFieldRef();
+
     // Once for all faces of a cell
     vectorField all(mesh_.nCells());
 
@@ -132,9 +135,9 @@ void Foam::smoothedFlux::set(surfaceScalarField& phi) const
         all[celli] = smoothed(celli);
     }
 
-    forAll(phi, facei)
+    forAll(inside, facei)
     {
-        phi[facei] =
+        inside[facei] =
             internal(facei, all[owner_[facei]], all[neighbour_[facei]]);
     }
 
@@ -157,12 +160,13 @@ void Foam::smoothedFlux::set
 ) const
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    scalarField& inside = phi.primitiveFieldRef();
 
     for (const label facei : faces)
     {
         if (mesh_.isInternalFace(facei))
         {
-            phi[facei] = internal
+            inside[facei] = internal
             (
                 facei,
                 smoothed(owner_[facei]),
