@@ -84,7 +84,7 @@ void Foam::flowSolvers::immersedFluid::project
     const volScalarField& divPhi
 )
 {
-    projection_->begin();
+    projection_->begin(outer_ == 1);
 
     while (pimple_.correctNonOrthogonal())
     {

@@ -2,6 +2,7 @@
 
 #include "projection.H"
 #include "fvmLaplacian.H"
+#include "residualTarget.H"
 
 Foam::wordList Foam::projection::patchTypes(const volScalarField& p)
 {
@@ -30,6 +31,8 @@ Foam::projection::projection(const volScalarField& p, const label refCell)
     ),
     refCell_(refCell),
     first_(true),
+    firstOuter_(true),
+    firstNorm_(0),
     corrected_(false)
 {
     p.mesh().setFluxRequired(dp_.name());
@@ -46,8 +49,33 @@ void Foam::projection::assemble()
 }
 
 
-void Foam::projection::begin()
+void Foam::projection::setControls(const dictionary& controls)
 {
+    scalar norm = 0;
+
+    for (const scalar b : equation_->source())
+    {
+        norm += mag(b);
+    }
+    reduce(norm, sumOp<scalar>());
+
+    if (firstOuter_)
+    {
+        firstNorm_ = norm;
+    }
+
+    controls_ = residualTarget::controls
+    (
+        controls,
+        max(firstNorm_/max(norm, VSMALL), 1)
+    );
+}
+
+
+void Foam::projection::begin(const bool firstOuter)
+{
+    firstOuter_ = firstOuter;
+
     // In later iterations the increment is small: its last value is no guess
     dp_ = dimensionedScalar(dp_.dimensions(), Zero);
     first_ = true;
@@ -85,7 +113,12 @@ void Foam::projection::solve
         source[refCell_] += 0.5*equation_->diag()[refCell_]*reference;
     }
 
-    equation_->solve(controls);
+    if (first_)
+    {
+        setControls(controls);
+    }
+
+    equation_->solve(controls_);
     first_ = false;
 }
 

@@ -2,6 +2,14 @@
 
 #include "residualTarget.H"
 
+namespace
+{
+    //- Part of a right side that is left at most: bodies are moved by the
+    //  solution
+    const Foam::scalar loosest = 0.02;
+}
+
+
 bool Foam::residualTarget::applies(const dictionary& solver)
 {
     return solver.found("tolerance")
@@ -45,6 +53,30 @@ Foam::dictionary Foam::residualTarget::controls
         (
             "tolerance",
             max(target_, solver.get<scalar>("tolerance"))
+        );
+    }
+
+    return controls;
+}
+
+
+Foam::dictionary Foam::residualTarget::controls
+(
+    const dictionary& solver,
+    const scalar ratio
+)
+{
+    dictionary controls(solver);
+
+    if (applies(solver))
+    {
+        const scalar tolerance = solver.get<scalar>("tolerance");
+        const scalar first = max(tolerance, solver.get<scalar>("relTol"));
+
+        controls.set
+        (
+            "tolerance",
+            max(tolerance, min(first*ratio, loosest))
         );
     }
 
