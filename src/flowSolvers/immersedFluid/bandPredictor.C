@@ -20,20 +20,48 @@ namespace
 }
 
 
-bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
+bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
 {
     // The first time step of a run has no flux that is extrapolated. In a
     // window all fluxes change with its velocity, and unresolved bodies act
     // outside of the bands.
-    return outer_ > 1
-     && outer_ <= lastBandOuter
-     && change_ < maxBandChange
-     && uniformViscosity_
+    return uniformViscosity_
      && !bodies_->window().comoving()
      && !MRF.MRFZoneList::size()
      && !bodies_->nUnresolved()
      && runTime_.timeIndex() > 1
      && viscousReach() < maxBandReach;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
+{
+    return outer_ > 1
+     && outer_ <= lastBandOuter
+     && change_ < maxBandChange
+     && bandsCanSuffice();
+}
+
+
+bool Foam::flowSolvers::immersedFluid::canWait() const
+{
+    // A flow rate is held everywhere, and options may be for all cells
+    return pending_.valid()
+     && outer_ < lastBandOuter
+     && pairOfGradients_
+     && gradP_.valid()
+     && fvOptions.optionList::empty()
+     && bandsCanSuffice();
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsFollow() const
+{
+    return !converged_
+     && !lost_
+     && outer_ < bodies_->nOuterCorrectors()
+     && outer_ < lastBandOuter
+     && change_ < maxBandChange;
 }
 
 

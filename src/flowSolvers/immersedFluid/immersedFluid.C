@@ -53,6 +53,13 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
 
     checkSettings();
     projection_.reset(new projection(p_, pRefCell));
+    if (bodies_->moving())
+    {
+        pending_.reset
+        (
+            new pendingCorrection(bodies_->region(), projection_->dp())
+        );
+    }
     compat::setFinalIteration(mesh_, true);
 
     if (bodies_->moving())

@@ -176,11 +176,20 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     addProfiling(momentum, "momentumPredictor");
 
+    const ddtCoefficients ddt(mesh_, U_.name());
+
+    if (pending_.valid() && pending_->active() && pending_->outdated())
+    {
+        endWait(1/ddt.c);
+    }
+
     bandOnly_ = bandsSuffice() && predictBands();
     if (bandOnly_)
     {
         return;
     }
+
+    endWait(1/ddt.c);
 
     if (outer_ == 1)
     {
@@ -193,9 +202,6 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     bodies_->addUnresolved(force_);
     A0_ = tUEqn().A();
     smoothing_ = smoothing/A0_();
-
-    const ddtCoefficients ddt(mesh_, U_.name());
-
     bodies_->updateResistance(ddt, A0_(), viscosity());
 
     fvVectorMatrix& UEqn = tUEqn.ref();

@@ -107,33 +107,59 @@ void Foam::flowSolvers::immersedFluid::project
 void Foam::flowSolvers::immersedFluid::setGradients
 (
     const scalar tau,
-    vectorField& dU
+    const bool wait
 )
 {
     const volScalarField& dp = projection_->dp();
 
-    if (pairOfGradients_ && gradP_.valid())
+    if (wait)
     {
-        pairGradient::set(p_, dp, tau, gradP_.ref(), dU);
-        return;
+        pending_->add(p_, dp, tau, gradP_.ref(), dU_);
     }
-
-    gradP_ = fvc::grad(p_);
-    dU = tau*fvc::grad(dp, "grad(p)")().primitiveField();
+    else if (pairOfGradients_ && gradP_.valid())
+    {
+        pairGradient::set(p_, dp, tau, gradP_.ref(), dU_);
+    }
+    else
+    {
+        gradP_ = fvc::grad(p_);
+        dU_ = tau*fvc::grad(dp, "grad(p)")().primitiveField();
+    }
 }
 
 
-void Foam::flowSolvers::immersedFluid::holdFlowRate
-(
-    const scalar tau,
-    vectorField& dU
-)
+void Foam::flowSolvers::immersedFluid::correctVelocity(const bool wait)
+{
+    if (wait)
+    {
+        pending_->correct(dU_, U_);
+    }
+    else
+    {
+        U_.primitiveFieldRef() -= dU_;
+    }
+    U_.correctBoundaryConditions();
+    fvOptions.correct(U_);
+}
+
+
+void Foam::flowSolvers::immersedFluid::endWait(const scalar tau)
+{
+    if (pending_.valid() && pending_->active())
+    {
+        pending_->complete(p_, tau, gradP_.ref(), dU_, U_);
+        U_.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::holdFlowRate(const scalar tau)
 {
     if (flowRate_)
     {
         const vector old(flowRate_->acceleration());
 
-        dU -= flowRate_->correctFlux(tau, phi_);
+        dU_ -= flowRate_->correctFlux(tau, phi_);
         force_ += flowRate_->acceleration() - old;
     }
 }
@@ -169,14 +195,16 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
       - viscosity().primitiveField()*divPhi.primitiveField();
     p_.correctBoundaryConditions();
 
-    vectorField dU;
-    setGradients(tau.value(), dU);
-    holdFlowRate(tau.value(), dU);
+    const bool wait = canWait() && pending_->begin();
 
-    bodyCorrector(ddt, dU);
+    setGradients(tau.value(), wait);
+    holdFlowRate(tau.value());
+    bodyCorrector(ddt, dU_);
     makeRelative();
+    correctVelocity(wait);
 
-    U_.primitiveFieldRef() -= dU;
-    U_.correctBoundaryConditions();
-    fvOptions.correct(U_);
+    if (!bandsFollow())
+    {
+        endWait(tau.value());
+    }
 }

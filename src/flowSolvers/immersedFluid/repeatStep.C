@@ -37,6 +37,10 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
 
     // That of the pressure before this step is not there any more
     gradP_.clear();
+    if (pending_.valid())
+    {
+        pending_->cancel();
+    }
 
     outer_ = 1;
     converged_ = false;

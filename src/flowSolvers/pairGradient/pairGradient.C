@@ -119,3 +119,61 @@ void Foam::pairGradient::set
     gradP.correctBoundaryConditions();
     fv::gaussGrad<scalar>::correctBoundaryConditions(p, gradP);
 }
+
+
+void Foam::pairGradient::set
+(
+    const labelUList& cells,
+    const cellNeighbours& neighbours,
+    const volScalarField& p,
+    const volScalarField& q,
+    const scalar factor,
+    volVectorField& gradP,
+    vectorField& gradQ
+)
+{
+    const fvMesh& mesh = p.mesh();
+    const surfaceScalarField& weights = mesh.weights();
+    const surfaceVectorField& Sf = mesh.Sf();
+    const scalarField& V = mesh.V();
+    vectorField& inside = gradP.primitiveFieldRef();
+
+    List<scalarField> pOnPatches(mesh.boundary().size());
+    List<scalarField> qOnPatches(mesh.boundary().size());
+
+    forAll(pOnPatches, patchi)
+    {
+        const scalarField& w = weights.boundaryField()[patchi];
+
+        pOnPatches[patchi] = faceValues(p.boundaryField()[patchi], w);
+        qOnPatches[patchi] = faceValues(q.boundaryField()[patchi], w);
+    }
+
+    for (const label celli : cells)
+    {
+        vector sumP(Zero), sumQ(Zero);
+
+        for (const auto& n : neighbours.of(celli))
+        {
+            const label facei = n.face();
+            const scalar w = n.owner() ? weights[facei] : 1 - weights[facei];
+            const vector S(n.owner() ? Sf[facei] : -Sf[facei]);
+
+            sumP += (w*(p[celli] - p[n.cell()]) + p[n.cell()])*S;
+            sumQ += (w*(q[celli] - q[n.cell()]) + q[n.cell()])*S;
+        }
+
+        for (const auto& face : neighbours.onPatches(celli))
+        {
+            const vector& S = Sf.boundaryField()[face.patch][face.face];
+
+            sumP += pOnPatches[face.patch][face.face]*S;
+            sumQ += qOnPatches[face.patch][face.face]*S;
+        }
+
+        inside[celli] = sumP/V[celli];
+        gradQ[celli] = factor*sumQ/V[celli];
+    }
+
+    gradP.correctBoundaryConditions();
+}

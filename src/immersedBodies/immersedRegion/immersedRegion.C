@@ -34,6 +34,7 @@ Foam::immersedRegion::immersedRegion
     faceShield_(mesh.nFaces(), Zero),
     bodyFlux_(mesh.nFaces(), Zero),
     same_(false),
+    version_(0),
     weight_(mesh.nCells(), Zero)
 {
     forAll(regions_, bodyi)
@@ -241,6 +242,8 @@ void Foam::immersedRegion::updateGeometry
 
 void Foam::immersedRegion::collect()
 {
+    ++version_;
+
     UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
     UIndirectList<vector>(KU_, cells_) = vector::zero;
     UIndirectList<vector>(shieldDU_, cells_) = vector::zero;

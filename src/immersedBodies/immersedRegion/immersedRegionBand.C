@@ -129,7 +129,18 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
         }
     }
 
-    // Those of cells beyond coupled patches
+    for (const label facei : facesBeside())
+    {
+        faces.append(facei);
+    }
+
+    UIndirectList<scalar>(weight_, cells_) = 0;
+}
+
+
+Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
+{
+    DynamicList<label> faces;
     scalarList beyond;
     syncTools::swapBoundaryCellList(mesh_, weight_, beyond);
 
@@ -149,5 +160,37 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
         }
     }
 
-    UIndirectList<scalar>(weight_, cells_) = 0;
+    return faces;
+}
+
+
+void Foam::immersedRegion::bandAndBeside(DynamicList<label>& cells) const
+{
+    cells = cells_;
+    UIndirectList<scalar>(weight_, cells_) = 1;
+
+    const DynamicList<label> beyond(facesBeside());
+
+    const auto append = [&](const label celli)
+    {
+        if (weight_[celli] == 0)
+        {
+            weight_[celli] = 1;
+            cells.append(celli);
+        }
+    };
+
+    for (const label celli : cells_)
+    {
+        for (const auto& n : neighbours_.of(celli))
+        {
+            append(n.cell());
+        }
+    }
+    for (const label facei : beyond)
+    {
+        append(mesh_.faceOwner()[facei]);
+    }
+
+    UIndirectList<scalar>(weight_, cells) = 0;
 }

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pendingCorrection.H"
+#include "labelVector.H"
+#include "pairGradient.H"
+
+namespace
+{
+    //- Part of all cells from which on looking for them takes what waiting
+    //  saves
+    const Foam::scalar maxPart = 0.2;
+}
+
+
+Foam::pendingCorrection::pendingCorrection
+(
+    const immersedRegion& region,
+    const volScalarField& dp
+)
+:
+    region_(region),
+    sum_
+    (
+        IOobject("sum(dp)", dp.mesh().time().timeName(), dp.mesh()),
+        dp.mesh(),
+        dimensionedScalar(dp.dimensions(), Zero),
+        dp.boundaryField().types()
+    ),
+    version_(-1),
+    few_(false),
+    active_(false)
+{}
+
+
+void Foam::pendingCorrection::findCells()
+{
+    version_ = region_.version();
+    region_.bandAndBeside(cells_);
+
+    const label nCells = sum_.size();
+
+    beside_.reset();
+    beside_.resize(nCells);
+    beside_.set(cells_);
+
+    labelVector n(cells_.size(), nCells, 0);
+    reduce(n, sumOp<labelVector>());
+    few_ = n[0] < maxPart*n[1];
+}
+
+
+bool Foam::pendingCorrection::outdated() const
+{
+    return returnReduce(version_ != region_.version(), orOp<bool>());
+}
+
+
+bool Foam::pendingCorrection::begin()
+{
+    if (!active_)
+    {
+        if (outdated())
+        {
+            findCells();
+        }
+
+        active_ = few_;
+
+        if (active_)
+        {
+            sum_ = dimensionedScalar(sum_.dimensions(), Zero);
+        }
+    }
+
+    return active_;
+}
+
+
+void Foam::pendingCorrection::add
+(
+    const volScalarField& p,
+    const volScalarField& dp,
+    const scalar tau,
+    volVectorField& gradP,
+    vectorField& dU
+)
+{
+    sum_.primitiveFieldRef() += dp.primitiveField();
+    dU.resize(sum_.size());
+
+    pairGradient::set
+    (
+        cells_,
+        region_.neighbours(),
+        p,
+        dp,
+        tau,
+        gradP,
+        dU
+    );
+}
+
+
+void Foam::pendingCorrection::correct
+(
+    const vectorField& dU,
+    volVectorField& U
+) const
+{
+    vectorField& Ui = U.primitiveFieldRef();
+
+    for (const label celli : cells_)
+    {
+        Ui[celli] -= dU[celli];
+    }
+}
+
+
+void Foam::pendingCorrection::complete
+(
+    const volScalarField& p,
+    const scalar tau,
+    volVectorField& gradP,
+    vectorField& dU,
+    volVectorField& U
+)
+{
+    sum_.correctBoundaryConditions();
+    pairGradient::set(p, sum_, tau, gradP, dU);
+
+    vectorField& Ui = U.primitiveFieldRef();
+
+    forAll(Ui, celli)
+    {
+        if (!beside_.test(celli))
+        {
+            Ui[celli] -= dU[celli];
+        }
+    }
+
+    active_ = false;
+}
