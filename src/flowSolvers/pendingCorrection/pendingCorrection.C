@@ -6,9 +6,8 @@
 
 namespace
 {
-    //- Part of all cells from which on looking for them takes what waiting
-    //  saves
-    const Foam::scalar maxPart = 0.2;
+    //- Part of all cells that bands take from which on waiting saves nothing
+    const Foam::scalar maxPart = 0.15;
 }
 
 
@@ -35,17 +34,19 @@ Foam::pendingCorrection::pendingCorrection
 void Foam::pendingCorrection::findCells()
 {
     version_ = region_.version();
-    region_.bandAndBeside(cells_);
 
     const label nCells = sum_.size();
-
-    beside_.reset();
-    beside_.resize(nCells);
-    beside_.set(cells_);
-
-    labelVector n(cells_.size(), nCells, 0);
+    labelVector n(region_.nCells(), nCells, 0);
     reduce(n, sumOp<labelVector>());
     few_ = n[0] < maxPart*n[1];
+
+    if (few_)
+    {
+        region_.bandAndBeside(cells_);
+        beside_.reset();
+        beside_.resize(nCells);
+        beside_.set(cells_);
+    }
 }
 
 

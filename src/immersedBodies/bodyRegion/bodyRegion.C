@@ -11,8 +11,8 @@ namespace
     const Foam::scalar maxFollowed = 0.0025;
 
     //- How far it moves in later iterations without its surface following it:
-    //  a ten-thousandth of a cell of one of ten
-    const Foam::scalar minFollowed = 1e-5;
+    //  a thousandth of a cell of one of ten
+    const Foam::scalar minFollowed = 1e-4;
 }
 
 
@@ -24,7 +24,8 @@ Foam::bodyRegion::bodyRegion(const label bodyi, const vector& shift)
     searchMargin_(-1),
     position_(point::max),
     orientation_(quaternion::zero),
-    followed_(0)
+    followed_(0),
+    same_(false)
 {}
 
 
@@ -220,6 +221,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
 )
 {
     const bodyState& state = body.state();
+    same_ = true;
 
     // A new time step begins with what a restart would find
     if
@@ -236,6 +238,8 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     {
         return change::none;
     }
+
+    same_ = false;
 
     if (again && follow(body, search.mesh()))
     {
@@ -290,7 +294,9 @@ Foam::bodyRegion::change Foam::bodyRegion::update
 
     resistance.setSize(cells.size());
     shield.setSize(cells.size());
+    share.setSize(cells.size());
     faceShield.setSize(faces.size());
+    faceShare.setSize(faces.size());
 
     return change::anew;
 }
@@ -315,8 +321,8 @@ bool Foam::bodyRegion::clear()
     (
         DynamicList<scalar>* values
       : {
-            &distance, &h, &c4, &resistance, &shield, &faceDistance, &faceH,
-            &faceShield
+            &distance, &h, &c4, &resistance, &shield, &share, &faceDistance,
+            &faceH, &faceShield, &faceShare
         }
     )
     {

@@ -19,6 +19,7 @@ Foam::immersedRegion::immersedRegion
     search_(mesh, space),
     neighbours_(mesh),
     delta_(mesh.boundary().size()),
+    coupled_(false),
     resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
     regions_(nBodies),
     K_
@@ -35,7 +36,8 @@ Foam::immersedRegion::immersedRegion
     bodyFlux_(mesh.nFaces(), Zero),
     same_(false),
     version_(0),
-    weight_(mesh.nCells(), Zero)
+    weight_(mesh.nCells(), Zero),
+    fluidPart_(mesh.nCells())
 {
     forAll(regions_, bodyi)
     {
@@ -47,8 +49,10 @@ Foam::immersedRegion::immersedRegion
         if (mesh.boundary()[patchi].coupled())
         {
             delta_[patchi] = mesh.boundary()[patchi].delta();
+            coupled_ = true;
         }
     }
+    reduce(coupled_, orOp<bool>());
 }
 
 
@@ -86,7 +90,8 @@ void Foam::immersedRegion::unite
 void Foam::immersedRegion::combineShields
 (
     const DynamicList<label> bodyRegion::*labels,
-    DynamicList<scalar> bodyRegion::*shields,
+    const DynamicList<scalar> bodyRegion::*shields,
+    DynamicList<scalar> bodyRegion::*shares,
     const labelUList& all,
     scalarField& total
 )
@@ -94,6 +99,7 @@ void Foam::immersedRegion::combineShields
     // One body: the flat field is its list
     if (regions_.size() == 1)
     {
+        regions_[0].*shares = regions_[0].*shields;
         UIndirectList<scalar>(total, all) = regions_[0].*shields;
         return;
     }
@@ -126,7 +132,8 @@ void Foam::immersedRegion::combineShields
         {
             const label at = (region.*labels)[i];
 
-            (region.*shields)[i] *= total[at]/max(shieldSum_[at], VSMALL);
+            (region.*shares)[i] =
+                (region.*shields)[i]*total[at]/max(shieldSum_[at], VSMALL);
         }
     }
 }
@@ -207,6 +214,11 @@ void Foam::immersedRegion::updateGeometry
 
             moved = moved || done != change::none;
             anew = anew || done == change::anew;
+
+            if (done != change::none)
+            {
+                resistance_->setShield(body, region);
+            }
         }
         else if (region.clear())
         {
@@ -219,11 +231,6 @@ void Foam::immersedRegion::updateGeometry
         return;
     }
 
-    for (bodyRegion& region : regions_)
-    {
-        resistance_->setShield(bodies[region.body()], region);
-    }
-
     if (anew)
     {
         collect();
@@ -231,11 +238,19 @@ void Foam::immersedRegion::updateGeometry
 
     combineShields
     (
-        &bodyRegion::cells, &bodyRegion::shield, cells_, shield_
+        &bodyRegion::cells,
+        &bodyRegion::shield,
+        &bodyRegion::share,
+        cells_,
+        shield_
     );
     combineShields
     (
-        &bodyRegion::faces, &bodyRegion::faceShield, faces_, faceShield_
+        &bodyRegion::faces,
+        &bodyRegion::faceShield,
+        &bodyRegion::faceShare,
+        faces_,
+        faceShield_
     );
 }
 
@@ -274,7 +289,10 @@ void Foam::immersedRegion::updateResistance
 
     for (bodyRegion& region : regions_)
     {
-        resistance_->setResistance(bodies[region.body()], A0, nu, region);
+        if (!(again && region.same()))
+        {
+            resistance_->setResistance(bodies[region.body()], A0, nu, region);
+        }
 
         forAll(region.cells, i)
         {
@@ -318,9 +336,9 @@ void Foam::immersedRegion::updateVelocity
             {
                 KU_[celli] += region.resistance[i]*(state.U + (state.omega^r));
             }
-            if (region.shield[i] > 0)
+            if (region.share[i] > 0)
             {
-                shieldDU_[celli] += region.shield[i]*acceleration(r);
+                shieldDU_[celli] += region.share[i]*acceleration(r);
             }
         }
 
@@ -329,7 +347,7 @@ void Foam::immersedRegion::updateVelocity
             const label facei = region.faces[i];
 
             bodyFlux_[facei] +=
-                region.faceShield[i]
+                region.faceShare[i]
                *(region.velocity(state, faceCentres[facei]) & Sf[facei]);
         }
     }

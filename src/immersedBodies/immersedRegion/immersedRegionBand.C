@@ -141,6 +141,12 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
 Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
 {
     DynamicList<label> faces;
+
+    if (!coupled_)
+    {
+        return faces;
+    }
+
     scalarList beyond;
     syncTools::swapBoundaryCellList(mesh_, weight_, beyond);
 

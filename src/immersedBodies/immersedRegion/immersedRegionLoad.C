@@ -57,6 +57,27 @@ Foam::vector Foam::immersedRegion::rowH
 }
 
 
+void Foam::immersedRegion::setFluidPart
+(
+    const fvVectorMatrix& E0,
+    const volVectorField& U,
+    const vectorField& gradP
+) const
+{
+    const List<vectorField> neighbourU(coupledNeighbours(U));
+    const scalarField& K = K_;
+
+    for (const label celli : cells_)
+    {
+        if (K[celli] > 0)
+        {
+            fluidPart_[celli] = (1 - shield_[celli])*gradP[celli]
+              - shieldDU_[celli] - rowH(E0, U, neighbourU, celli);
+        }
+    }
+}
+
+
 void Foam::immersedRegion::load
 (
     const PtrList<immersedBody>& bodies,
@@ -70,7 +91,7 @@ void Foam::immersedRegion::load
     List<bodyLoad>& loads
 ) const
 {
-    const List<vectorField> neighbourU(coupledNeighbours(U));
+    setFluidPart(E0, U, gradP);
 
     for (bodyLoad& load : loads)
     {
@@ -83,10 +104,8 @@ void Foam::immersedRegion::load
         (
             bodies[region.body()],
             ddt,
-            E0,
             A0,
             U,
-            neighbourU,
             gradP,
             dU,
             region,
@@ -128,10 +147,8 @@ void Foam::immersedRegion::addLoad
 (
     const immersedBody& body,
     const ddtCoefficients& ddt,
-    const fvVectorMatrix& E0,
     const volScalarField& A0,
     const vectorField& U,
-    const List<vectorField>& neighbourU,
     const vectorField& gradP,
     const vectorField& dU,
     const bodyRegion& region,
@@ -149,18 +166,17 @@ void Foam::immersedRegion::addLoad
         const label celli = region.cells[i];
         const vector r(mesh_.cellCentres()[celli] - centre);
         const vector Ub(state.U + (state.omega^r));
-        vector q(region.shield[i]*(gradP[celli] + acceleration(r)));
+        vector q(region.share[i]*(gradP[celli] + acceleration(r)));
 
         if (region.resistance[i] > 0)
         {
             const scalar A = A0[celli] + K[celli];
-            const vector H(rowH(E0, U, neighbourU, celli));
 
             // A0 and K apart: K U_b and its sum cancel exactly
             q += region.resistance[i]/A
                *(
-                    A0[celli]*Ub + (K[celli]*Ub - KU_[celli]) - H
-                  + (1 - shield_[celli])*gradP[celli] - shieldDU_[celli]
+                    A0[celli]*Ub + (K[celli]*Ub - KU_[celli])
+                  + fluidPart_[celli]
                 );
         }
         load.addForce(r, V[celli]*q);
@@ -266,7 +282,7 @@ void Foam::immersedRegion::addResponse
         load.addResponse
         (
             mesh_.V()[celli]
-           *(w*A0[celli] + (1 - w)*region.shield[i]*ddtCoeff),
+           *(w*A0[celli] + (1 - w)*region.share[i]*ddtCoeff),
             r,
             r
         );
