@@ -172,9 +172,13 @@ Foam::scalar Foam::bodyRegion::moved(const immersedBody& body) const
 
 bool Foam::bodyRegion::serves(const immersedBody& body) const
 {
-    return searchMargin_ > 0
-      ? moved(body) < minFollowed*body.shape().width()
-      : !body.resolved();
+    if (!body.resolved() || searchMargin_ < 0)
+    {
+        // None, and none is needed
+        return !body.resolved() && searchMargin_ < 0;
+    }
+
+    return moved(body) < minFollowed*body.shape().width();
 }
 
 
