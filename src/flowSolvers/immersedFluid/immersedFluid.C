@@ -4,7 +4,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "compat.H"
 #include "functionObject.H"
-#include "fvcFlux.H"
 #include "pairGradient.H"
 
 namespace Foam
@@ -105,87 +104,6 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     Info<< "    skipped: "
         << (skipped.empty() ? "nothing" : skipped.substr(2).c_str()) << nl
         << endl;
-}
-
-
-Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
-{
-    for (fv::option& force : static_cast<fv::optionList&>(fvOptions))
-    {
-        if (isA<fv::flowRateForce>(force))
-        {
-            return &refCast<fv::flowRateForce>(force);
-        }
-    }
-
-    return nullptr;
-}
-
-
-void Foam::flowSolvers::immersedFluid::checkSettings() const
-{
-    if (mesh_.dynamic())
-    {
-        FatalErrorInFunction
-            << "Immersed bodies need a mesh at rest; remove"
-            << " constant/dynamicMeshDict or choose"
-            << " 'dynamicFvMesh staticFvMesh' there" << nl
-            << exit(FatalError);
-    }
-
-    if
-    (
-        bodies_->disperse()
-     && momentumTransport->get<word>("simulationType") == "laminar"
-    )
-    {
-        FatalIOErrorInFunction(*momentumTransport)
-            << "'dispersion' of unresolved bodies needs a turbulence model, and"
-            << " 'simulationType' is laminar" << nl << exit(FatalIOError);
-    }
-
-    if (bodies_->frozen() && bodies_->window().comoving())
-    {
-        FatalErrorInFunction
-            << "A fluid that is frozen does not go with a comoving window"
-            << nl << exit(FatalError);
-    }
-
-    // Refuses schemes that the bodies' equations do not follow
-    ddtCoefficients(mesh_, U_.name());
-}
-
-
-void Foam::flowSolvers::immersedFluid::initialise()
-{
-    if (!bodies_->restarted())
-    {
-        bodies_->setAmbient(U_);
-        if (bodies_->frozen())
-        {
-            return;
-        }
-
-        bodies_->setRigidMotion(U_);
-        phi_ = fvc::flux(U_);
-        makeRelative();
-    }
-}
-
-
-void Foam::flowSolvers::immersedFluid::makeRelative()
-{
-    if (bodies_->window().comoving())
-    {
-        const dimensionedVector V
-        (
-            "V",
-            dimVelocity,
-            bodies_->window().velocity()
-        );
-
-        phi_ -= V & mesh_.Sf();
-    }
 }
 
 

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedRegion.H"
+
+void Foam::immersedRegion::unite
+(
+    const PtrList<bodyRegion>& regions,
+    const DynamicList<label> bodyRegion::*labels,
+    const label size,
+    DynamicList<label>& all
+)
+{
+    all.clear();
+
+    if (regions.size() == 1)
+    {
+        all = regions[0].*labels;
+        return;
+    }
+
+    bitSet met(size);
+
+    for (const bodyRegion& region : regions)
+    {
+        for (const label i : region.*labels)
+        {
+            if (met.set(i))
+            {
+                all.append(i);
+            }
+        }
+    }
+}
+
+
+void Foam::immersedRegion::combineShields
+(
+    const DynamicList<label> bodyRegion::*labels,
+    const DynamicList<scalar> bodyRegion::*shields,
+    DynamicList<scalar> bodyRegion::*shares,
+    const labelUList& all,
+    scalarField& total
+)
+{
+    // One body: the flat field is its list
+    if (regions_.size() == 1)
+    {
+        regions_[0].*shares = regions_[0].*shields;
+        UIndirectList<scalar>(total, all) = regions_[0].*shields;
+        return;
+    }
+
+    shieldSum_.resize(mesh_.nFaces());
+
+    // Product of the open parts, and sum of the shields
+    UIndirectList<scalar>(total, all) = 1;
+    UIndirectList<scalar>(shieldSum_, all) = 0;
+
+    for (const bodyRegion& region : regions_)
+    {
+        forAll(region.*labels, i)
+        {
+            const label at = (region.*labels)[i];
+
+            total[at] *= 1 - (region.*shields)[i];
+            shieldSum_[at] += (region.*shields)[i];
+        }
+    }
+
+    for (const label at : all)
+    {
+        total[at] = 1 - total[at];
+    }
+
+    for (bodyRegion& region : regions_)
+    {
+        forAll(region.*labels, i)
+        {
+            const label at = (region.*labels)[i];
+
+            (region.*shares)[i] =
+                (region.*shields)[i]*total[at]/max(shieldSum_[at], VSMALL);
+        }
+    }
+}
+
+
+void Foam::immersedRegion::append(autoPtr<bodyRegion> region)
+{
+    regions_.append(region.ptr());
+
+    if (regions_.size() > 1)
+    {
+        shieldSum_.setSize(mesh_.nFaces());
+    }
+}
+
+
+void Foam::immersedRegion::remove(const label bodyi)
+{
+    PtrList<bodyRegion> others(regions_.size());
+    label n = 0;
+
+    forAll(regions_, i)
+    {
+        if (regions_[i].body() != bodyi)
+        {
+            others.set(n, regions_.release(i));
+            others[n++].moveUp(bodyi);
+        }
+    }
+
+    others.resize(n);
+    regions_.transfer(others);
+}
+
+
+bool Foam::immersedRegion::serves(const PtrList<immersedBody>& bodies) const
+{
+    forAll(bodies, bodyi)
+    {
+        if (!regions_[bodyi].serves(bodies[bodyi]))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+void Foam::immersedRegion::updateGeometry
+(
+    const PtrList<immersedBody>& bodies,
+    const bool changed,
+    const bool again
+)
+{
+    // By the bodies alone, which are the same on all processors
+    same_ = again && !changed && serves(bodies);
+
+    if (same_)
+    {
+        return;
+    }
+
+    updateImages(bodies);
+
+    typedef bodyRegion::change change;
+    bool moved = changed, anew = changed;
+
+    for (bodyRegion& region : regions_)
+    {
+        const immersedBody& body = bodies[region.body()];
+
+        if (body.resolved())
+        {
+            const change done =
+                region.update(body, search_, resistance_->bandWidth(), again);
+
+            moved = moved || done != change::none;
+            anew = anew || done == change::anew;
+
+            if (done != change::none)
+            {
+                resistance_->setShield(body, region);
+            }
+        }
+        else if (region.clear())
+        {
+            moved = anew = true;
+        }
+    }
+
+    if (!moved)
+    {
+        return;
+    }
+
+    if (anew)
+    {
+        collect();
+    }
+
+    combineShields
+    (
+        &bodyRegion::cells,
+        &bodyRegion::shield,
+        &bodyRegion::share,
+        cells_,
+        shield_
+    );
+    combineShields
+    (
+        &bodyRegion::faces,
+        &bodyRegion::faceShield,
+        &bodyRegion::faceShare,
+        faces_,
+        faceShield_
+    );
+}
+
+
+void Foam::immersedRegion::collect()
+{
+    ++version_;
+
+    UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
+    UIndirectList<vector>(KU_, cells_) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
+    UIndirectList<scalar>(shield_, cells_) = 0;
+    UIndirectList<scalar>(faceShield_, faces_) = 0;
+    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
+
+    unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
+    unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
+}
