@@ -161,7 +161,8 @@ void Foam::immersedRegion::updateGeometry
             moved = moved || done != change::none;
             anew = anew || done == change::anew;
 
-            if (done != change::none)
+            // One that is new may have been placed in the mesh before
+            if (changed || done != change::none)
             {
                 resistance_->setShield(body, region);
             }
