@@ -6,6 +6,7 @@
 #include "findRefCell.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "inletOutletFvPatchFields.H"
 #include "pairGradient.H"
 #include "profiling.H"
 #include "smoothedFlux.H"
@@ -36,7 +37,15 @@ bool Foam::flowSolvers::immersedFluid::openPatches() const
 {
     for (const fvPatchVectorField& patch : U_.boundaryField())
     {
-        if (!patch.coupled() && !patch.fixesValue())
+        // As adjustPhi() has it
+        if
+        (
+            !patch.coupled()
+         && (
+                !patch.fixesValue()
+             || isA<inletOutletFvPatchVectorField>(patch)
+            )
+        )
         {
             return true;
         }

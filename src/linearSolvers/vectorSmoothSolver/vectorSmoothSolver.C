@@ -135,7 +135,7 @@ void Foam::vectorSmoothSolver::addCoupled
 }
 
 
-void Foam::vectorSmoothSolver::multiply()
+void Foam::vectorSmoothSolver::multiply(vectorField* sumA)
 {
     const labelUList& l = matrix_.lduAddr().lowerAddr();
     const labelUList& u = matrix_.lduAddr().upperAddr();
@@ -147,33 +147,13 @@ void Foam::vectorSmoothSolver::multiply()
     {
         work_[celli] = cmptDivide(psi[celli], rDiag_[celli]);
     }
-
     addCoupled(-1, false, work_);
 
-    forAll(l, facei)
+    if (sumA)
     {
-        work_[l[facei]] += upper[facei]*psi[u[facei]];
-        work_[u[facei]] += lower[facei]*psi[l[facei]];
+        *sumA = cmptDivide(vectorField(work_.size(), vector::one), rDiag_);
+        addCoupled(-1, true, *sumA);
     }
-}
-
-
-void Foam::vectorSmoothSolver::multiply(vectorField& sumA)
-{
-    const labelUList& l = matrix_.lduAddr().lowerAddr();
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const scalarField& lower = matrix_.lower();
-    const scalarField& upper = matrix_.upper();
-    const vectorField& psi = psi_.primitiveField();
-
-    forAll(work_, celli)
-    {
-        sumA[celli] = cmptDivide(vector::one, rDiag_[celli]);
-        work_[celli] = cmptMultiply(sumA[celli], psi[celli]);
-    }
-
-    addCoupled(-1, false, work_);
-    addCoupled(-1, true, sumA);
 
     forAll(l, facei)
     {
@@ -182,8 +162,12 @@ void Foam::vectorSmoothSolver::multiply(vectorField& sumA)
 
         work_[o] += upper[facei]*psi[n];
         work_[n] += lower[facei]*psi[o];
-        sumA[o] += vector::uniform(upper[facei]);
-        sumA[n] += vector::uniform(lower[facei]);
+
+        if (sumA)
+        {
+            (*sumA)[o] += vector::uniform(upper[facei]);
+            (*sumA)[n] += vector::uniform(lower[facei]);
+        }
     }
 }
 
@@ -206,7 +190,7 @@ Foam::vector Foam::vectorSmoothSolver::normFactor()
     const vector mean(gAverage(psi_.primitiveField()));
     vectorField sumA(work_.size());
 
-    multiply(sumA);
+    multiply(&sumA);
 
     vector sum(Zero);
 
