@@ -19,13 +19,6 @@ namespace
 
 using Foam::scalar;
 
-//- Distance times steepness, in cell sizes, where the resistance fades, ends:
-//  what is left out moves the wall by 0.002 cells
-const scalar fadeStart = 4, fadeEnd = 5.5;
-
-//- Arguments of tanh beyond this leave less than 5 10^-5 of the shield
-const scalar tanhEnd = 5;
-
 //- Cap of the resistance as a multiple of the momentum coefficient
 const scalar cap = 1e6;
 
@@ -44,7 +37,21 @@ scalar interpolate
     return y0 + t*(y1 - y0) + 0.5*t*(t - 1)*(y2 - 2*y1 + y0);
 }
 
+
+//- 1 up to start, 0 from end on
+scalar fade(const scalar x, const scalar start, const scalar end)
+{
+    return x > start ? Foam::max((end - x)/(end - start), 0) : 1;
+}
+
 } // End anonymous namespace
+
+
+const Foam::resistanceModels::exponential::extent
+Foam::resistanceModels::exponential::wide = {4, 5.5, 4.99, 5, 1};
+
+const Foam::resistanceModels::exponential::extent
+Foam::resistanceModels::exponential::narrow = {2.2, 3.2, 2, 2.8, 1.0704};
 
 
 Foam::resistanceModels::exponential::exponential
@@ -55,6 +62,7 @@ Foam::resistanceModels::exponential::exponential
 )
 :
     resistanceModel(),
+    extent_(bodiesMove ? narrow : wide),
     steepness_(bodiesMove ? 1.0 : 1.2)
 {
     keywords::check(dict, {"type", "steepness", "shieldShift", "shieldWidth"});
@@ -93,7 +101,11 @@ Foam::resistanceModels::exponential::exponential
 
 Foam::scalar Foam::resistanceModels::exponential::bandWidth() const
 {
-    return max(fadeEnd/steepness_, shieldShift_ + tanhEnd*shieldWidth_);
+    return max
+    (
+        extent_.end/steepness_,
+        shieldShift_ + extent_.shieldEnd*shieldWidth_
+    );
 }
 
 
@@ -104,7 +116,9 @@ Foam::scalar Foam::resistanceModels::exponential::shieldAt
 {
     const scalar x = (d - shieldShift_)/shieldWidth_;
 
-    return x > tanhEnd ? 0 : 0.5*(1 - Foam::tanh(x));
+    return x < extent_.shieldEnd
+      ? 0.5*(1 - Foam::tanh(x))*fade(x, extent_.shieldFade, extent_.shieldEnd)
+      : 0;
 }
 
 
@@ -137,7 +151,7 @@ void Foam::resistanceModels::exponential::setResistance
 {
     const scalar gamma = 0.5772156649015329;
     const scalar a = steepness_;
-    const scalar factor = sqr(2*a*Foam::exp(-gamma));
+    const scalar factor = extent_.factor*sqr(2*a*Foam::exp(-gamma));
 
     forAll(region.cells, i)
     {
@@ -145,20 +159,19 @@ void Foam::resistanceModels::exponential::setResistance
         const scalar h = region.h[i];
         const scalar ad = a*region.distance[i]/h;
 
-        if (ad >= fadeEnd)
+        if (ad >= extent_.end)
         {
             region.resistance[i] = 0;
             continue;
         }
-
-        const scalar fade = min(1, (fadeEnd - ad)/(fadeEnd - fadeStart));
 
         // Beyond exp(60) the cap applies whatever the other factors
         const scalar K =
             nu[celli]/sqr(h)*factor
            *Foam::exp(sqr(a)*region.c4[i]/18 - 2*max(ad, scalar(-30)));
 
-        region.resistance[i] = min(fade*K, cap*A0[celli]);
+        region.resistance[i] =
+            min(fade(ad, extent_.fade, extent_.end)*K, cap*A0[celli]);
     }
 }
 
