@@ -47,6 +47,8 @@ def free_disc(tmp_path_factory):
         }}
     """, f"{WINDOW}\nsteady {{ tolerance 1e-4; }}")
     case.controls(endTime="100", deltaT="0.1", writePrecision="15")
+    # Or the residual does not fall smoothly at the end
+    case.replace("system/fvSolution", "relTol          1e-3", "relTol 1e-6")
     return case
 
 

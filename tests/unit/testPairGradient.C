@@ -110,27 +110,27 @@ TEST_CASE("Gradients in some cells are those in all", "[pairGradient]")
         CHECK(mag(dU[celli] - factor*exactDp[celli]) < 1e-12);
     }
 
-    labelList some;
+    pairGradient::part some;
+    bitSet in(dU.size());
     volVectorField partP(0*exactP);
     vectorField partDU(dU.size(), Zero);
 
     forAll(dU, celli)
     {
-        if (celli % 3 == 0)
+        if (celli % 3 == 0 || celli % 4 == 1)
         {
-            some.append(celli);
+            some.cells.append(celli);
+            in.set(celli);
         }
     }
-    pairGradient::set
-    (
-        some, cellNeighbours(*mesh), p, dp, factor, partP, partDU
-    );
+    some.find(cellNeighbours(*mesh), in);
+    pairGradient::set(some, p, dp, factor, partP, partDU);
 
     forAll(dU, celli)
     {
-        const scalar in = celli % 3 == 0 ? 1 : 0;
+        const scalar part = in.test(celli) ? 1 : 0;
 
-        CHECK(mag(partP[celli] - in*gradP[celli]) < 1e-12);
-        CHECK(mag(partDU[celli] - in*dU[celli]) < 1e-12);
+        CHECK(mag(partP[celli] - part*gradP[celli]) < 1e-12);
+        CHECK(mag(partDU[celli] - part*dU[celli]) < 1e-12);
     }
 }

@@ -26,6 +26,49 @@ tmp<scalarField> faceValues
 }
 
 
+//- What the internal faces add to the sums of value times area of their cells
+class faceLoop
+{
+    const labelUList& owner_;
+    const labelUList& neighbour_;
+    const scalarField& weights_;
+    const vectorField& Sf_;
+    const scalarField& p_;
+    const scalarField& q_;
+
+public:
+
+    faceLoop(const volScalarField& p, const volScalarField& q)
+    :
+        owner_(p.mesh().owner()),
+        neighbour_(p.mesh().neighbour()),
+        weights_(p.mesh().weights()),
+        Sf_(p.mesh().Sf()),
+        p_(p),
+        q_(q)
+    {}
+
+    void add
+    (
+        const label facei,
+        vectorField& sumP,
+        vectorField& sumQ
+    ) const
+    {
+        const label o = owner_[facei];
+        const label n = neighbour_[facei];
+        const scalar w = weights_[facei];
+        const vector fluxP(Sf_[facei]*(w*(p_[o] - p_[n]) + p_[n]));
+        const vector fluxQ(Sf_[facei]*(w*(q_[o] - q_[n]) + q_[n]));
+
+        sumP[o] += fluxP;
+        sumP[n] -= fluxP;
+        sumQ[o] += fluxQ;
+        sumQ[n] -= fluxQ;
+    }
+};
+
+
 //- Add the faces of a patch to the sums of value times area of its cells
 void addPatch
 (
@@ -74,10 +117,6 @@ void Foam::pairGradient::set
 )
 {
     const fvMesh& mesh = p.mesh();
-    const labelUList& owner = mesh.owner();
-    const labelUList& neighbour = mesh.neighbour();
-    const surfaceScalarField& weights = mesh.weights();
-    const surfaceVectorField& Sf = mesh.Sf();
     const scalarField& V = mesh.V();
     vectorField& sumP = gradP.primitiveFieldRef();
 
@@ -85,18 +124,11 @@ void Foam::pairGradient::set
     gradQ.resize(V.size());
     gradQ = Zero;
 
-    forAll(owner, facei)
-    {
-        const label o = owner[facei];
-        const label n = neighbour[facei];
-        const scalar w = weights[facei];
-        const vector fluxP(Sf[facei]*(w*(p[o] - p[n]) + p[n]));
-        const vector fluxQ(Sf[facei]*(w*(q[o] - q[n]) + q[n]));
+    const faceLoop loop(p, q);
 
-        sumP[o] += fluxP;
-        sumP[n] -= fluxP;
-        gradQ[o] += fluxQ;
-        gradQ[n] -= fluxQ;
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        loop.add(facei, sumP, gradQ);
     }
 
     forAll(p.boundaryField(), patchi)
@@ -121,10 +153,41 @@ void Foam::pairGradient::set
 }
 
 
+void Foam::pairGradient::part::find
+(
+    const cellNeighbours& neighbours,
+    const bitSet& in
+)
+{
+    between.clear();
+    edges.clear();
+    patchFaces.clear();
+
+    for (const label celli : cells)
+    {
+        for (const auto& n : neighbours.of(celli))
+        {
+            if (!in.test(n.cell()))
+            {
+                edges.append(edge{celli, n});
+            }
+            else if (n.owner())
+            {
+                between.append(n.face());
+            }
+        }
+
+        for (const auto& face : neighbours.onPatches(celli))
+        {
+            patchFaces.append(patchFace{celli, face});
+        }
+    }
+}
+
+
 void Foam::pairGradient::set
 (
-    const labelUList& cells,
-    const cellNeighbours& neighbours,
+    const part& some,
     const volScalarField& p,
     const volScalarField& q,
     const scalar factor,
@@ -136,7 +199,32 @@ void Foam::pairGradient::set
     const surfaceScalarField& weights = mesh.weights();
     const surfaceVectorField& Sf = mesh.Sf();
     const scalarField& V = mesh.V();
-    vectorField& inside = gradP.primitiveFieldRef();
+    vectorField& sumP = gradP.primitiveFieldRef();
+
+    for (const label celli : some.cells)
+    {
+        sumP[celli] = gradQ[celli] = Zero;
+    }
+
+    const faceLoop loop(p, q);
+
+    for (const label facei : some.between)
+    {
+        loop.add(facei, sumP, gradQ);
+    }
+
+    for (const auto& edge : some.edges)
+    {
+        const label o = edge.cell;
+        const label n = edge.beyond.cell();
+        const label facei = edge.beyond.face();
+        const bool owner = edge.beyond.owner();
+        const scalar w = owner ? weights[facei] : 1 - weights[facei];
+        const vector S(owner ? Sf[facei] : -Sf[facei]);
+
+        sumP[o] += (w*(p[o] - p[n]) + p[n])*S;
+        gradQ[o] += (w*(q[o] - q[n]) + q[n])*S;
+    }
 
     List<scalarField> pOnPatches(mesh.boundary().size());
     List<scalarField> qOnPatches(mesh.boundary().size());
@@ -149,30 +237,20 @@ void Foam::pairGradient::set
         qOnPatches[patchi] = faceValues(q.boundaryField()[patchi], w);
     }
 
-    for (const label celli : cells)
+    for (const auto& patchFace : some.patchFaces)
     {
-        vector sumP(Zero), sumQ(Zero);
+        const label patchi = patchFace.face.patch;
+        const label i = patchFace.face.face;
+        const vector& S = Sf.boundaryField()[patchi][i];
 
-        for (const auto& n : neighbours.of(celli))
-        {
-            const label facei = n.face();
-            const scalar w = n.owner() ? weights[facei] : 1 - weights[facei];
-            const vector S(n.owner() ? Sf[facei] : -Sf[facei]);
+        sumP[patchFace.cell] += pOnPatches[patchi][i]*S;
+        gradQ[patchFace.cell] += qOnPatches[patchi][i]*S;
+    }
 
-            sumP += (w*(p[celli] - p[n.cell()]) + p[n.cell()])*S;
-            sumQ += (w*(q[celli] - q[n.cell()]) + q[n.cell()])*S;
-        }
-
-        for (const auto& face : neighbours.onPatches(celli))
-        {
-            const vector& S = Sf.boundaryField()[face.patch][face.face];
-
-            sumP += pOnPatches[face.patch][face.face]*S;
-            sumQ += qOnPatches[face.patch][face.face]*S;
-        }
-
-        inside[celli] = sumP/V[celli];
-        gradQ[celli] = factor*sumQ/V[celli];
+    for (const label celli : some.cells)
+    {
+        sumP[celli] /= V[celli];
+        gradQ[celli] *= factor/V[celli];
     }
 
     gradP.correctBoundaryConditions();

@@ -2,12 +2,11 @@
 
 #include "pendingCorrection.H"
 #include "labelVector.H"
-#include "pairGradient.H"
 
 namespace
 {
     //- Part of all cells that bands take from which on waiting saves nothing
-    const Foam::scalar maxPart = 0.15;
+    const Foam::scalar maxPart = 0.08;
 }
 
 
@@ -42,10 +41,11 @@ void Foam::pendingCorrection::findCells()
 
     if (few_)
     {
-        region_.bandAndBeside(cells_);
+        region_.bandAndBeside(part_.cells);
         beside_.reset();
         beside_.resize(nCells);
-        beside_.set(cells_);
+        beside_.set(part_.cells);
+        part_.find(region_.neighbours(), beside_);
     }
 }
 
@@ -89,16 +89,7 @@ void Foam::pendingCorrection::add
     sum_.primitiveFieldRef() += dp.primitiveField();
     dU.resize(sum_.size());
 
-    pairGradient::set
-    (
-        cells_,
-        region_.neighbours(),
-        p,
-        dp,
-        tau,
-        gradP,
-        dU
-    );
+    pairGradient::set(part_, p, dp, tau, gradP, dU);
 }
 
 
@@ -110,7 +101,7 @@ void Foam::pendingCorrection::correct
 {
     vectorField& Ui = U.primitiveFieldRef();
 
-    for (const label celli : cells_)
+    for (const label celli : part_.cells)
     {
         Ui[celli] -= dU[celli];
     }

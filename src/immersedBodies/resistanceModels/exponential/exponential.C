@@ -47,13 +47,6 @@ scalar fade(const scalar x, const scalar start, const scalar end)
 } // End anonymous namespace
 
 
-const Foam::resistanceModels::exponential::extent
-Foam::resistanceModels::exponential::wide = {4, 5.5, 4.99, 5, 1};
-
-const Foam::resistanceModels::exponential::extent
-Foam::resistanceModels::exponential::narrow = {2.2, 3.2, 2, 2.8, 1.0704};
-
-
 Foam::resistanceModels::exponential::exponential
 (
     const dictionary& dict,
@@ -62,7 +55,6 @@ Foam::resistanceModels::exponential::exponential
 )
 :
     resistanceModel(),
-    extent_(bodiesMove ? narrow : wide),
     steepness_(bodiesMove ? 1.0 : 1.2)
 {
     keywords::check(dict, {"type", "steepness", "shieldShift", "shieldWidth"});
@@ -96,16 +88,18 @@ Foam::resistanceModels::exponential::exponential
         "shieldWidth",
         interpolate(steepness_, 1.115, 1.0, 0.9)
     );
+
+    fadeStart_ = interpolate(steepness_, 2.2, 3.1, 4);
+    fadeEnd_ = interpolate(steepness_, 3.2, 4.35, 5.5);
+    factor_ = interpolate(steepness_, 1.0704, 1.0156, 1);
+    shieldFade_ = interpolate(steepness_, 2, 3.5, 5);
+    shieldEnd_ = interpolate(steepness_, 2.8, 3.9, 5);
 }
 
 
 Foam::scalar Foam::resistanceModels::exponential::bandWidth() const
 {
-    return max
-    (
-        extent_.end/steepness_,
-        shieldShift_ + extent_.shieldEnd*shieldWidth_
-    );
+    return max(fadeEnd_/steepness_, shieldShift_ + shieldEnd_*shieldWidth_);
 }
 
 
@@ -116,8 +110,8 @@ Foam::scalar Foam::resistanceModels::exponential::shieldAt
 {
     const scalar x = (d - shieldShift_)/shieldWidth_;
 
-    return x < extent_.shieldEnd
-      ? 0.5*(1 - Foam::tanh(x))*fade(x, extent_.shieldFade, extent_.shieldEnd)
+    return x < shieldEnd_
+      ? 0.5*(1 - Foam::tanh(x))*fade(x, shieldFade_, shieldEnd_)
       : 0;
 }
 
@@ -151,7 +145,7 @@ void Foam::resistanceModels::exponential::setResistance
 {
     const scalar gamma = 0.5772156649015329;
     const scalar a = steepness_;
-    const scalar factor = extent_.factor*sqr(2*a*Foam::exp(-gamma));
+    const scalar factor = factor_*sqr(2*a*Foam::exp(-gamma));
 
     forAll(region.cells, i)
     {
@@ -159,7 +153,7 @@ void Foam::resistanceModels::exponential::setResistance
         const scalar h = region.h[i];
         const scalar ad = a*region.distance[i]/h;
 
-        if (ad >= extent_.end)
+        if (ad >= fadeEnd_)
         {
             region.resistance[i] = 0;
             continue;
@@ -171,7 +165,7 @@ void Foam::resistanceModels::exponential::setResistance
            *Foam::exp(sqr(a)*region.c4[i]/18 - 2*max(ad, scalar(-30)));
 
         region.resistance[i] =
-            min(fade(ad, extent_.fade, extent_.end)*K, cap*A0[celli]);
+            min(fade(ad, fadeStart_, fadeEnd_)*K, cap*A0[celli]);
     }
 }
 
