@@ -30,7 +30,7 @@ bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
      && !MRF.MRFZoneList::size()
      && !bodies_->nUnresolved()
      && runTime_.timeIndex() > 1
-     && viscousReach() < maxBandReach;
+     && viscousReach_ < maxBandReach;
 }
 
 

@@ -33,6 +33,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     pairOfGradients_(pairGradient::serves(mesh, "grad(p)")),
     flowRate_(findFlowRate()),
     bodyWalls_(nullptr),
+    viscousReach_(0),
     outer_(0),
     bandOnly_(false),
     converged_(false),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
-#include "fvmDdt.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 
@@ -29,6 +28,33 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
     }
 
     return incompressibleFluid::divDevSigma();
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::flowSolvers::immersedFluid::ddtMomentum()
+{
+    const ddtCoefficients ddt(mesh_, U_.name());
+    tmp<fvVectorMatrix> tEqn
+    (
+        new fvVectorMatrix(U_, U_.dimensions()*dimVolume/dimTime)
+    );
+    fvVectorMatrix& eqn = tEqn.ref();
+    const scalarField& V = mesh_.V();
+    const vectorField& U0 = U_.oldTime();
+    const vectorField& U00 =
+        ddt.c00 > 0 ? U_.oldTime().oldTime().primitiveField() : U0;
+
+    eqn.diag().setSize(V.size());
+
+    forAll(V, celli)
+    {
+        eqn.diag()[celli] = ddt.c*V[celli];
+        eqn.source()[celli] =
+            V[celli]*(ddt.c0*U0[celli] - ddt.c00*U00[celli]);
+    }
+
+    return tEqn;
 }
 
 
@@ -82,7 +108,7 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
         MRF.correctBoundaryVelocity(U_);
     }
 
-    tmp<fvVectorMatrix> tEqn(fvm::ddt(U_));
+    tmp<fvVectorMatrix> tEqn(ddtMomentum());
     fvVectorMatrix& eqn = tEqn.ref();
 
     addTransport(eqn);

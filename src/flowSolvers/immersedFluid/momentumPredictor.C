@@ -74,11 +74,11 @@ void Foam::flowSolvers::immersedFluid::extrapolateFlux()
 }
 
 
-Foam::scalar Foam::flowSolvers::immersedFluid::viscousReach() const
+void Foam::flowSolvers::immersedFluid::setViscousReach()
 {
     const scalar nu = gMax(momentumTransport->nu()().primitiveField());
 
-    return nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
+    viscousReach_ = nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
 }
 
 
@@ -106,7 +106,7 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
     )
     {
         // The extrapolation is stable where viscosity reaches over cells
-        const scalar part = max(1 - 1/max(viscousReach(), SMALL), 0)
+        const scalar part = max(1 - 1/max(viscousReach_, SMALL), 0)
            *runTime_.deltaTValue()/runTime_.deltaT0Value();
         const volScalarField& p0 = p_.oldTime();
 
@@ -193,6 +193,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     if (outer_ == 1)
     {
+        setViscousReach();
         extrapolateFlux();
         extrapolatePressure();
     }

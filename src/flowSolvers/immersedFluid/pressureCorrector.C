@@ -13,6 +13,23 @@
 
 namespace
 {
+    //- Does anything flow through a patch that is not coupled
+    bool crossesPatches(const Foam::surfaceScalarField& phi)
+    {
+        bool any = false;
+
+        for (const Foam::fvsPatchScalarField& patch : phi.boundaryField())
+        {
+            for (const Foam::scalar flux : patch)
+            {
+                any = any || (!patch.coupled() && flux != 0);
+            }
+        }
+
+        return Foam::returnReduce(any, Foam::orOp<bool>());
+    }
+
+
     //- Swap the values of two fluxes, without copies
     void swapValues
     (
@@ -78,7 +95,11 @@ void Foam::flowSolvers::immersedFluid::predictImmersedFlux()
     bodies_->region().shieldFlux(phi_);
 
     // In the bands of bodies it is the same as before
-    if (p_.needReference() && (!bandOnly_ || openPatches()))
+    if
+    (
+        p_.needReference()
+     && (openPatches() || (!bandOnly_ && crossesPatches(phi_)))
+    )
     {
         adjustPhi(phi_, U_, p_);
     }

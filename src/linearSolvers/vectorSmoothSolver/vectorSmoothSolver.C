@@ -25,6 +25,7 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     source_(matrix.source()),
     rDiag_(matrix.diag().size()),
     work_(matrix.diag().size()),
+    residual_(matrix.diag().size()),
     performance_("smoothSolver", psi.name())
 {
     const scalarField& diag = matrix.diag();
@@ -135,7 +136,7 @@ void Foam::vectorSmoothSolver::addCoupled
 }
 
 
-void Foam::vectorSmoothSolver::multiply(vectorField* sumA)
+void Foam::vectorSmoothSolver::multiply(vectorField& sumA)
 {
     const labelUList& l = matrix_.lduAddr().lowerAddr();
     const labelUList& u = matrix_.lduAddr().upperAddr();
@@ -145,15 +146,13 @@ void Foam::vectorSmoothSolver::multiply(vectorField* sumA)
 
     forAll(work_, celli)
     {
-        work_[celli] = cmptDivide(psi[celli], rDiag_[celli]);
+        const vector diag(cmptDivide(vector::one, rDiag_[celli]));
+
+        work_[celli] = cmptMultiply(diag, psi[celli]);
+        sumA[celli] = diag;
     }
     addCoupled(-1, false, work_);
-
-    if (sumA)
-    {
-        *sumA = cmptDivide(vectorField(work_.size(), vector::one), rDiag_);
-        addCoupled(-1, true, *sumA);
-    }
+    addCoupled(-1, true, sumA);
 
     forAll(l, facei)
     {
@@ -162,35 +161,18 @@ void Foam::vectorSmoothSolver::multiply(vectorField* sumA)
 
         work_[o] += upper[facei]*psi[n];
         work_[n] += lower[facei]*psi[o];
-
-        if (sumA)
-        {
-            (*sumA)[o] += vector::uniform(upper[facei]);
-            (*sumA)[n] += vector::uniform(lower[facei]);
-        }
+        sumA[o] += vector::uniform(upper[facei]);
+        sumA[n] += vector::uniform(lower[facei]);
     }
 }
 
 
-Foam::vector Foam::vectorSmoothSolver::sumMag() const
-{
-    vector sum(Zero);
-
-    forAll(work_, celli)
-    {
-        addMag(sum, source_[celli] - work_[celli]);
-    }
-
-    return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
-}
-
-
-Foam::vector Foam::vectorSmoothSolver::normFactor()
+Foam::vector Foam::vectorSmoothSolver::begin()
 {
     const vector mean(gAverage(psi_.primitiveField()));
-    vectorField sumA(work_.size());
+    vectorField& sumA = residual_;
 
-    multiply(&sumA);
+    multiply(sumA);
 
     vector sum(Zero);
 
@@ -200,6 +182,7 @@ Foam::vector Foam::vectorSmoothSolver::normFactor()
 
         addMag(sum, work_[celli] - reference);
         addMag(sum, source_[celli] - reference);
+        residual_[celli] = source_[celli] - work_[celli];
     }
 
     return returnReduce(sum, sumOp<vector>())
@@ -212,6 +195,8 @@ void Foam::vectorSmoothSolver::sweep()
     const label nCells = work_.size();
     work_ = source_;
     addCoupled(1, false, work_);
+    residual_ = Zero;
+    addCoupled(-1, false, residual_);
 
     const label* const __restrict__ u =
         matrix_.lduAddr().upperAddr().begin();
@@ -220,40 +205,63 @@ void Foam::vectorSmoothSolver::sweep()
     const scalar* const __restrict__ lower = matrix_.lower().begin();
     const scalar* const __restrict__ upper = matrix_.upper().begin();
     const vector* const __restrict__ rDiag = rDiag_.begin();
-    vector* const __restrict__ bPtr = work_.begin();
-    vector* const psi = psi_.primitiveFieldRef().begin();
+    vector* const __restrict__ b = work_.begin();
+    vector* const __restrict__ r = residual_.begin();
+    vector* const __restrict__ psi = psi_.primitiveFieldRef().begin();
 
     // The row's own unknown, from those of its upper neighbours and what the
-    // lower ones have taken off b; taken off that of the upper ones in turn
-    const auto relax = [=](const label celli)
+    // lower ones have taken off b
+    const auto solution = [=](const label celli)
     {
-        vector x(bPtr[celli]);
+        vector x(b[celli]);
 
         for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
         {
             x -= upper[facei]*psi[u[facei]];
         }
 
-        x = cmptMultiply(x, rDiag[celli]);
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            bPtr[u[facei]] -= lower[facei]*x;
-        }
-
-        psi[celli] = x;
+        return cmptMultiply(x, rDiag[celli]);
     };
 
     for (label celli = 0; celli < nCells; ++celli)
     {
-        relax(celli);
+        const vector x(solution(celli));
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            b[u[facei]] -= lower[facei]*x;
+        }
+        psi[celli] = x;
     }
 
     // What the lower neighbours have taken off b stands until they change
     for (label celli = nCells - 1; celli >= 0; --celli)
     {
-        relax(celli);
+        const vector x(solution(celli));
+        const vector change(psi[celli] - x);
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            r[u[facei]] += lower[facei]*change;
+        }
+        psi[celli] = x;
     }
+
+    updateCoupled();
+    addCoupled(1, false, residual_);
+}
+
+
+Foam::vector Foam::vectorSmoothSolver::sumMag() const
+{
+    vector sum(Zero);
+
+    for (const vector& r : residual_)
+    {
+        addMag(sum, r);
+    }
+
+    return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
 }
 
 
@@ -318,27 +326,17 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
 
     updateCoupled();
 
+    const vector norm(begin());
     label n = 0;
-    vector norm(vector::one);
 
     while (true)
     {
-        if (n == 0)
-        {
-            norm = normFactor();
-        }
-        else
-        {
-            multiply();
-        }
-
-        const vector residual(cmptDivide(sumMag(), norm));
+        performance_.finalResidual() = cmptDivide(sumMag(), norm);
 
         if (n == 0)
         {
-            performance_.initialResidual() = residual;
+            performance_.initialResidual() = performance_.finalResidual();
         }
-        performance_.finalResidual() = residual;
 
         if (n >= minIter && (n >= maxIter || converged(tolerance, relTol)))
         {
@@ -348,7 +346,6 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
         for (label i = 0; i < nSweeps; ++i)
         {
             sweep();
-            updateCoupled();
         }
         n += nSweeps;
     }
