@@ -98,7 +98,8 @@ void Foam::flowSolvers::immersedFluid::predictImmersedFlux()
     if
     (
         p_.needReference()
-     && (openPatches() || (!bandOnly_ && crossesPatches(phi_)))
+     && (!bandOnly_ || openPatches())
+     && crossesPatches(phi_)
     )
     {
         adjustPhi(phi_, U_, p_);

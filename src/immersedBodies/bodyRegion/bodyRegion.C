@@ -67,6 +67,8 @@ void Foam::bodyRegion::search
 
     nearCells_ = inReach;
     nearFaces_ = search.facesOf(nearCells_);
+    nearCellCentres_ = relative(search.mesh().cellCentres(), nearCells_);
+    nearFaceCentres_ = relative(search.mesh().faceCentres(), nearFaces_);
     nearCellH_.setSize(nearCells_.size());
     nearFaceH_.setSize(nearFaces_.size());
 
@@ -103,7 +105,7 @@ void Foam::bodyRegion::select
 (
     const immersedBody& body,
     const labelUList& labels,
-    const UList<point>& centres,
+    const pointField& centres,
     const scalarField& sizes,
     const SizeAlong& sizeAlong,
     const scalar bandWidth,
@@ -115,7 +117,8 @@ void Foam::bodyRegion::select
 {
     const scalar hCap = hMax(body);
     scalarField allD(labels.size());
-    body.distance(relative(centres, labels), allD);
+    DynamicList<point> x(labels.size());
+    body.distance(centres, allD);
 
     inBand.clear();
     d.clear();
@@ -126,13 +129,14 @@ void Foam::bodyRegion::select
         if (allD[i] < bandWidth*sizes[i])
         {
             inBand.append(labels[i]);
+            x.append(centres[i]);
             d.append(allD[i]);
             h.append(sizes[i]);
         }
     }
 
     n.setSize(inBand.size());
-    body.normal(relative(centres, inBand), n);
+    body.normal(x, n);
 
     // Where the cells are thin along the normal the band is narrower
     label nKept = 0;
@@ -264,17 +268,15 @@ Foam::bodyRegion::change Foam::bodyRegion::update
         this->search(body, search, bandWidth);
     }
 
-    const fvMesh& mesh = search.mesh();
-
     select
     (
-        body, nearCells_, mesh.cellCentres(), nearCellH_,
+        body, nearCells_, nearCellCentres_, nearCellH_,
         [&](const label celli, const vector& n) { return search.h(celli, n); },
         bandWidth, cells, distance, normal, h
     );
     select
     (
-        body, nearFaces_, mesh.faceCentres(), nearFaceH_,
+        body, nearFaces_, nearFaceCentres_, nearFaceH_,
         [&](const label facei, const vector& n)
         {
             return search.faceH(facei, n);
@@ -315,6 +317,8 @@ bool Foam::bodyRegion::clear()
     position_ = point::max;
     nearCells_.clear();
     nearFaces_.clear();
+    nearCellCentres_.clear();
+    nearFaceCentres_.clear();
     nearCellH_.clear();
     nearFaceH_.clear();
 

@@ -16,8 +16,15 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         dimensionedSymmTensor(dimArea, Zero),
         zeroGradientFvPatchSymmTensorField::typeName
     ),
+    boxes_(mesh.nCells()),
+    matched_(mesh.boundaryMesh().size()),
     faceMet_(mesh.nFaces())
 {
+    forAll(matched_, patchi)
+    {
+        matched_[patchi] = matched(mesh.boundaryMesh()[patchi]);
+    }
+
     forAll(h_, celli)
     {
         h_[celli] = space.cellSize(mesh.V()[celli]);
@@ -31,6 +38,8 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
     {
         const point& centre = mesh.cellCentres()[celli];
         symmTensor& M = edges_[celli];
+
+        boxes_.set(celli, isBox(mesh.cells()[celli]));
 
         for (const label facei : mesh.cells()[celli])
         {
@@ -51,6 +60,22 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
             patchEdges == patchEdges.patchNeighbourField()();
         }
     }
+}
+
+
+bool Foam::cellSearch::isBox(const cell& faces) const
+{
+    for (const label facei : faces)
+    {
+        const vector& Sf = mesh_.faceAreas()[facei];
+
+        if (cmptMax(cmptMag(Sf)) < (1 - 1e-9)*mag(Sf))
+        {
+            return false;
+        }
+    }
+
+    return faces.size() == 6;
 }
 
 
@@ -94,6 +119,16 @@ Foam::scalar Foam::cellSearch::faceHMax(const label facei) const
 
 Foam::scalar Foam::cellSearch::c4(const label celli, const vector& n) const
 {
+    if (boxes_.test(celli))
+    {
+        // The sum below, of a box
+        const symmTensor& M = edges_[celli];
+        const vector n2(cmptMultiply(n, n));
+        const vector h2n2(cmptMultiply(vector(M.xx(), M.yy(), M.zz()), n2));
+
+        return (h2n2 & n2)/max(cmptSum(h2n2), VSMALL);
+    }
+
     const point& centre = mesh_.cellCentres()[celli];
     scalar second = 0;
     scalar fourth = 0;
@@ -132,7 +167,7 @@ Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
         {
             const bool counts =
                 mesh_.isInternalFace(facei)
-             || matched(patches[patches.whichPatch(facei)]);
+             || matched_[patches.patchID()[facei - mesh_.nInternalFaces()]];
 
             if (counts && faceMet_.set(facei))
             {
