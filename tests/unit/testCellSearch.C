@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "boxMesh.H"
+#include "cellSearch.H"
+#include "testTools.H"
+
+using namespace Foam;
+using testTools::dict;
+
+TEST_CASE("Sizes and stencil moments of cells along a normal", "[cellSearch]")
+{
+    const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+    box.x = {{
+        testTools::graded(4, 2, 1.3),
+        testTools::graded(3, 2, 0.7),
+        testTools::graded(2, 3, 1.1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+    testTools::boxMesh sheared(box);
+    sheared.shear = 1e-7;
+
+    const auto mesh(box.make(time));
+    const auto shearedMesh(sheared.make(time));
+    const cellSearch boxes(*mesh, geometricSpace(-1));
+    const cellSearch others(*shearedMesh, geometricSpace(-1));
+    testTools::RandomNumbers random(1);
+
+    forAll(mesh->cells(), celli)
+    {
+        const vector n
+        (
+            normalised
+            (
+                vector(random.number(), random.number(), random.number())
+              - vector::uniform(0.5)
+            )
+        );
+        vector h;
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            const auto above = std::upper_bound
+            (
+                box.x[k].begin(), box.x[k].end(), mesh->cellCentres()[celli][k]
+            );
+            h[k] = *above - *(above - 1);
+        }
+
+        scalar second = 0, fourth = 0;
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            second += sqr(h[k]*n[k]);
+            fourth += sqr(h[k]*n[k]*n[k]);
+        }
+
+        CHECK(boxes.h(celli, n) == testTools::near(Foam::sqrt(second)));
+        CHECK(boxes.c4(celli, n) == testTools::near(fourth/second));
+
+        // Summed over faces, as it is for any other cell
+        CHECK(others.c4(celli, n) == Approx(fourth/second).epsilon(1e-5));
+    }
+}
