@@ -17,34 +17,14 @@ Usage
 #include "fvCFD.H"
 #include "flowSolver.H"
 #include "functionObjectList.H"
-#include <climits>
-#include <malloc.h>
 
 #define CREATE_MESH createDynamicFvMesh.H
 #define CREATE_FIELDS createFlowSolver.H
 #define NO_CONTROL
 
 
-namespace
-{
-
-//- Keep the memory of temporary fields. Given back to the system after each, it
-//  would be cleared again for the next: up to a tenth of a time step.
-void keepFreedMemory()
-{
-    #ifdef __GLIBC__
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, INT_MAX);
-    #endif
-}
-
-} // End anonymous namespace
-
-
 int main(int argc, char *argv[])
 {
-    keepFreedMemory();
-
     argList::addNote("Run the selected flow solver");
     argList::addOption
     (

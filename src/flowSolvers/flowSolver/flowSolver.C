@@ -2,12 +2,30 @@
 
 #include "flowSolver.H"
 #include "argList.H"
+#include <climits>
+#include <malloc.h>
 
 namespace Foam
 {
     defineTypeNameAndDebug(flowSolver, 0);
     defineRunTimeSelectionTable(flowSolver, dynamicFvMesh);
 }
+
+
+namespace
+{
+
+//- Keep the memory of temporary fields. Given back to the system after each, it
+//  would be cleared again for the next: up to a tenth of a time step.
+void keepFreedMemory()
+{
+    #ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, INT_MAX);
+    #endif
+}
+
+} // End anonymous namespace
 
 
 Foam::flowSolver::flowSolver(dynamicFvMesh& mesh)
@@ -24,6 +42,8 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolver::New
     dynamicFvMesh& mesh
 )
 {
+    keepFreedMemory();
+
     Info<< "Selecting solver " << solverName << endl;
 
     if (!validNames().found(solverName))
