@@ -16,7 +16,7 @@ namespace
 {
 
 //- Keep the memory of temporary fields. Given back to the system after each, it
-//  would be cleared again for the next: up to a tenth of a time step.
+//  would be cleared again for the next: 5 % of a step of 64^3 cells.
 void keepFreedMemory()
 {
     #ifdef __GLIBC__

@@ -207,7 +207,7 @@ void Foam::vectorSmoothSolver::sweep()
     const vector* const __restrict__ rDiag = rDiag_.begin();
     vector* const __restrict__ b = work_.begin();
     vector* const __restrict__ r = residual_.begin();
-    vector* const __restrict__ psi = psi_.primitiveFieldRef().begin();
+    vector* const psi = psi_.primitiveFieldRef().begin();
 
     // The row's own unknown, from those of its upper neighbours and what the
     // lower ones have taken off b
