@@ -29,21 +29,25 @@ namespace
 }
 
 
-Foam::scalar Foam::fastPoisson::subtract
+Foam::scalar Foam::fastPoisson::setResidual
 (
+    const scalarField& psi,
     const scalarField& source,
-    scalarField& Apsi
-)
+    const direction cmpt,
+    scalarField& residual
+) const
 {
-    scalar sum = 0;
+    matrix_.residual
+    (
+        residual,
+        psi,
+        source,
+        interfaceBouCoeffs_,
+        interfaces_,
+        cmpt
+    );
 
-    forAll(Apsi, celli)
-    {
-        Apsi[celli] = source[celli] - Apsi[celli];
-        sum += mag(Apsi[celli]);
-    }
-
-    return returnReduce(sum, sumOp<scalar>());
+    return gSumMag(residual);
 }
 
 
@@ -82,8 +86,8 @@ bool Foam::fastPoisson::refine
 
         direct.solve(matrix_, residual, correction);
         psi += correction;
-        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
-        performance.finalResidual() = subtract(source, residual)/normFactor;
+        performance.finalResidual() =
+            setResidual(psi, source, cmpt, residual)/normFactor;
         ++performance.nIterations();
 
         if (performance.checkConvergence(tolerance_, relTol_))
@@ -134,8 +138,8 @@ bool Foam::fastPoisson::solveDirectly
 
         // Made for other conditions?
         psi = start;
-        matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
-        performance.finalResidual() = subtract(source, residual)/normFactor;
+        performance.finalResidual() =
+            setResidual(psi, source, cmpt, residual)/normFactor;
     }
 
     direct = cache.make(*this);
@@ -232,7 +236,8 @@ Foam::scalar Foam::fastPoisson::begin
         matrix_.Amul(residual, psi, interfaceBouCoeffs_, interfaces_, cmpt);
 
         const scalar norm = normFactor(psi, source, residual, work);
-        performance.initialResidual() = subtract(source, residual)/norm;
+        residual = source - residual;
+        performance.initialResidual() = gSumMag(residual)/norm;
 
         return norm;
     }

@@ -4,16 +4,6 @@
 #include "compat.H"
 #include "profiling.H"
 
-namespace
-{
-    //- Components of |v|
-    inline void addMag(Foam::vector& sum, const Foam::vector& v)
-    {
-        sum += Foam::cmptMag(v);
-    }
-}
-
-
 Foam::vectorSmoothSolver::vectorSmoothSolver
 (
     const fvVectorMatrix& matrix,
@@ -23,39 +13,25 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     matrix_(matrix),
     psi_(psi),
     source_(matrix.source()),
-    rDiag_(matrix.diag().size()),
     work_(matrix.diag().size()),
     residual_(matrix.diag().size()),
     performance_("smoothSolver", psi.name())
 {
-    const scalarField& diag = matrix.diag();
-
-    forAll(rDiag_, celli)
-    {
-        rDiag_[celli] = vector::uniform(diag[celli]);
-    }
-
     forAll(psi.boundaryField(), patchi)
     {
         const labelUList& cells = matrix.lduAddr().patchAddr(patchi);
-        const vectorField& internal = matrix.internalCoeffs()[patchi];
         const vectorField& boundary = matrix.boundaryCoeffs()[patchi];
-        const bool coupled = psi.boundaryField()[patchi].coupled();
 
-        forAll(internal, i)
+        if (!psi.boundaryField()[patchi].coupled())
         {
-            rDiag_[cells[i]] += internal[i];
-            if (!coupled)
+            forAll(boundary, i)
             {
                 source_[cells[i]] += boundary[i];
             }
         }
     }
 
-    for (vector& d : rDiag_)
-    {
-        d = cmptDivide(vector::one, d);
-    }
+    setDiagonal();
 
     const Vector<label> valid(psi.mesh().validComponents<vector>());
 
@@ -105,150 +81,45 @@ void Foam::vectorSmoothSolver::updateCoupled()
 }
 
 
+Foam::List<Foam::vectorField>
+Foam::vectorSmoothSolver::coupledProducts() const
+{
+    List<vectorField> products(psi_.boundaryField().size());
+
+    forAll(products, patchi)
+    {
+        const fvPatchVectorField& patch = psi_.boundaryField()[patchi];
+
+        if (patch.coupled())
+        {
+            products[patchi] = cmptMultiply
+            (
+                matrix_.boundaryCoeffs()[patchi],
+                patch.patchNeighbourField()
+            );
+        }
+    }
+
+    return products;
+}
+
+
 void Foam::vectorSmoothSolver::addCoupled
 (
     const scalar factor,
-    const bool one,
+    const List<vectorField>& products,
     vectorField& b
 ) const
 {
-    forAll(psi_.boundaryField(), patchi)
+    forAll(products, patchi)
     {
-        if (!psi_.boundaryField()[patchi].coupled())
-        {
-            continue;
-        }
-
         const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
-        const vectorField& coeffs = matrix_.boundaryCoeffs()[patchi];
-        const tmp<vectorField> tbeyond
-        (
-            one
-          ? tmp<vectorField>(new vectorField(coeffs.size(), vector::one))
-          : psi_.boundaryField()[patchi].patchNeighbourField()
-        );
 
-        forAll(coeffs, i)
+        forAll(products[patchi], i)
         {
-            b[cells[i]] += factor*cmptMultiply(coeffs[i], tbeyond()[i]);
+            b[cells[i]] += factor*products[patchi][i];
         }
     }
-}
-
-
-void Foam::vectorSmoothSolver::multiply(vectorField& sumA)
-{
-    const labelUList& l = matrix_.lduAddr().lowerAddr();
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const scalarField& lower = matrix_.lower();
-    const scalarField& upper = matrix_.upper();
-    const vectorField& psi = psi_.primitiveField();
-
-    forAll(work_, celli)
-    {
-        const vector diag(cmptDivide(vector::one, rDiag_[celli]));
-
-        work_[celli] = cmptMultiply(diag, psi[celli]);
-        sumA[celli] = diag;
-    }
-    addCoupled(-1, false, work_);
-    addCoupled(-1, true, sumA);
-
-    forAll(l, facei)
-    {
-        const label o = l[facei];
-        const label n = u[facei];
-
-        work_[o] += upper[facei]*psi[n];
-        work_[n] += lower[facei]*psi[o];
-        sumA[o] += vector::uniform(upper[facei]);
-        sumA[n] += vector::uniform(lower[facei]);
-    }
-}
-
-
-Foam::vector Foam::vectorSmoothSolver::begin()
-{
-    const vector mean(gAverage(psi_.primitiveField()));
-    vectorField& sumA = residual_;
-
-    multiply(sumA);
-
-    vector sum(Zero);
-
-    forAll(sumA, celli)
-    {
-        const vector reference(cmptMultiply(sumA[celli], mean));
-
-        addMag(sum, work_[celli] - reference);
-        addMag(sum, source_[celli] - reference);
-        residual_[celli] = source_[celli] - work_[celli];
-    }
-
-    return returnReduce(sum, sumOp<vector>())
-      + vector::uniform(solverPerformance::small_);
-}
-
-
-void Foam::vectorSmoothSolver::sweep()
-{
-    const label nCells = work_.size();
-    work_ = source_;
-    addCoupled(1, false, work_);
-    residual_ = Zero;
-    addCoupled(-1, false, residual_);
-
-    const label* const __restrict__ u =
-        matrix_.lduAddr().upperAddr().begin();
-    const label* const __restrict__ start =
-        matrix_.lduAddr().ownerStartAddr().begin();
-    const scalar* const __restrict__ lower = matrix_.lower().begin();
-    const scalar* const __restrict__ upper = matrix_.upper().begin();
-    const vector* const __restrict__ rDiag = rDiag_.begin();
-    vector* const __restrict__ b = work_.begin();
-    vector* const __restrict__ r = residual_.begin();
-    vector* const psi = psi_.primitiveFieldRef().begin();
-
-    // The row's own unknown, from those of its upper neighbours and what the
-    // lower ones have taken off b
-    const auto solution = [=](const label celli)
-    {
-        vector x(b[celli]);
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            x -= upper[facei]*psi[u[facei]];
-        }
-
-        return cmptMultiply(x, rDiag[celli]);
-    };
-
-    for (label celli = 0; celli < nCells; ++celli)
-    {
-        const vector x(solution(celli));
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            b[u[facei]] -= lower[facei]*x;
-        }
-        psi[celli] = x;
-    }
-
-    // What the lower neighbours have taken off b stands until they change
-    for (label celli = nCells - 1; celli >= 0; --celli)
-    {
-        const vector x(solution(celli));
-        const vector change(psi[celli] - x);
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            r[u[facei]] += lower[facei]*change;
-        }
-        psi[celli] = x;
-    }
-
-    updateCoupled();
-    addCoupled(1, false, residual_);
 }
 
 
@@ -258,7 +129,7 @@ Foam::vector Foam::vectorSmoothSolver::sumMag() const
 
     for (const vector& r : residual_)
     {
-        addMag(sum, r);
+        sum += cmptMag(r);
     }
 
     return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
