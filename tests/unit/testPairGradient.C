@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "poissonProblem.H"
+#include "faceSums.H"
 #include "pairGradient.H"
 #include "testTools.H"
+#include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "linear.H"
 #include "gaussGrad.H"
 
 using namespace Foam;
@@ -85,6 +89,37 @@ TEST_CASE("Neighbours of cells are those of the mesh", "[cellNeighbours]")
     }
 
     CHECK(nFaces == mesh->nFaces() + mesh->nInternalFaces());
+}
+
+
+TEST_CASE("Sums over the faces of cells are those of the mesh", "[faceSums]")
+{
+    const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
+    const testTools::boxMesh box(mixedBox());
+    const auto mesh(box.make(time));
+    const volScalarField p(randomField("p", *mesh, box.conditions(*mesh)));
+    const surfaceScalarField phi(linearInterpolate(p) - 0.3);
+    const scalarField exact(fvc::div(phi)().primitiveField());
+    const scalarField exactMag(fvc::surfaceSum(mag(phi))().primitiveField());
+
+    const scalarField div(divergence(phi));
+    const scalarField sumMag
+    (
+        faceSums
+        (
+            phi,
+            [](const scalar flux) { return mag(flux); },
+            [](const label, const scalar sum) { return sum; }
+        )
+    );
+
+    forAll(div, celli)
+    {
+        const scalar scale = exactMag[celli]/mesh->V()[celli];
+
+        CHECK(mag(div[celli] - exact[celli]) < 1e-12*scale);
+        CHECK(sumMag[celli] == testTools::near(exactMag[celli]));
+    }
 }
 
 

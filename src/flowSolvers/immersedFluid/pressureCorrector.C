@@ -3,8 +3,8 @@
 #include "immersedFluid.H"
 #include "adjustPhi.H"
 #include "constrainPressure.H"
+#include "faceSums.H"
 #include "findRefCell.H"
-#include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "inletOutletFvPatchFields.H"
 #include "pairGradient.H"
@@ -112,7 +112,7 @@ void Foam::flowSolvers::immersedFluid::predictImmersedFlux()
 void Foam::flowSolvers::immersedFluid::project
 (
     const dimensionedScalar& tau,
-    const volScalarField& divPhi
+    const scalarField& divPhi
 )
 {
     projection_->begin(outer_ == 1);
@@ -218,12 +218,17 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     predictImmersedFlux();
 
-    const volScalarField divPhi(fvc::div(phi_));
+    const scalarField divPhi(divergence(phi_));
 
     project(tau, divPhi);
 
-    p_.primitiveFieldRef() += dp.primitiveField()
-      - viscosity().primitiveField()*divPhi.primitiveField();
+    const scalarField& nu = viscosity();
+    scalarField& p = p_.primitiveFieldRef();
+
+    forAll(p, celli)
+    {
+        p[celli] += dp[celli] - nu[celli]*divPhi[celli];
+    }
     p_.correctBoundaryConditions();
 
     const bool wait = canWait() && pending_->begin();

@@ -1,40 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "incompressibleFluid.H"
-#include "surfaceFields.H"
+#include "faceSums.H"
 
 namespace
 {
-    //- Sum of |phi| over the faces of each cell, without a field on faces
-    Foam::scalarField sumMag(const Foam::surfaceScalarField& phi)
-    {
-        using namespace Foam;
-
-        const fvMesh& mesh = phi.mesh();
-        const labelUList& owner = mesh.owner();
-        const labelUList& neighbour = mesh.neighbour();
-        scalarField sum(mesh.nCells(), Zero);
-
-        forAll(owner, facei)
-        {
-            sum[owner[facei]] += mag(phi[facei]);
-            sum[neighbour[facei]] += mag(phi[facei]);
-        }
-
-        for (const fvsPatchScalarField& patch : phi.boundaryField())
-        {
-            const labelUList& faceCells = patch.patch().faceCells();
-
-            forAll(patch, i)
-            {
-                sum[faceCells[i]] += mag(patch[i]);
-            }
-        }
-
-        return sum;
-    }
-
-
     //- Largest Courant number of a flux; prints it after the mean
     Foam::scalar courantNo
     (
@@ -48,18 +18,28 @@ namespace
         const scalar deltaT = mesh.time().deltaTValue();
 
         const scalarField& V = mesh.V();
-        const scalarField sumPhi(sumMag(phi));
 
         scalar largest = 0;
+        vector2D sums(Zero);
 
-        forAll(V, celli)
-        {
-            largest = max(largest, sumPhi[celli]/V[celli]);
-        }
+        faceSums
+        (
+            phi,
+            [](const scalar flux) { return mag(flux); },
+            [&](const label celli, const scalar sumPhi)
+            {
+                largest = max(largest, sumPhi/V[celli]);
+                sums[0] += sumPhi;
+                sums[1] += V[celli];
+
+                return sumPhi;
+            }
+        );
+        reduce(sums, sumOp<vector2D>());
 
         const scalar CoNum =
             0.5*returnReduce(largest, maxOp<scalar>())*deltaT;
-        const scalar meanCoNum = 0.5*(gSum(sumPhi)/gSum(V))*deltaT;
+        const scalar meanCoNum = 0.5*(sums[0]/sums[1])*deltaT;
 
         Info<< prefix << "Courant Number mean: " << meanCoNum
             << " max: " << CoNum << endl;

@@ -66,7 +66,53 @@ public:
         sumQ[o] += fluxQ;
         sumQ[n] -= fluxQ;
     }
+
+    //- The faces from begin to end, all of the same owner
+    void add
+    (
+        const label owner,
+        const label begin,
+        const label end,
+        vectorField& sumP,
+        vectorField& sumQ
+    ) const
+    {
+        const scalar p = p_[owner];
+        const scalar q = q_[owner];
+        vector ownP(sumP[owner]);
+        vector ownQ(sumQ[owner]);
+
+        for (label facei = begin; facei < end; ++facei)
+        {
+            const label n = neighbour_[facei];
+            const scalar w = weights_[facei];
+            const vector fluxP(Sf_[facei]*(w*(p - p_[n]) + p_[n]));
+            const vector fluxQ(Sf_[facei]*(w*(q - q_[n]) + q_[n]));
+
+            ownP += fluxP;
+            sumP[n] -= fluxP;
+            ownQ += fluxQ;
+            sumQ[n] -= fluxQ;
+        }
+
+        sumP[owner] = ownP;
+        sumQ[owner] = ownQ;
+    }
 };
+
+
+//- Cells beside patches
+bitSet besidePatches(const volScalarField& p)
+{
+    bitSet cells(p.size());
+
+    for (const fvPatchScalarField& patch : p.boundaryField())
+    {
+        cells.set(patch.patch().faceCells());
+    }
+
+    return cells;
+}
 
 
 //- Add the faces of a patch to the sums of value times area of its cells
@@ -118,19 +164,30 @@ void Foam::pairGradient::set
 {
     const fvMesh& mesh = p.mesh();
     const scalarField& V = mesh.V();
+    const labelUList& start = mesh.lduAddr().ownerStartAddr();
     vectorField& sumP = gradP.primitiveFieldRef();
 
     sumP = Zero;
     gradQ.resize(V.size());
     gradQ = Zero;
 
+    const bitSet beside(besidePatches(p));
     const faceLoop loop(p, q);
 
-    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    // Faces are in the order of their owners: those of a cell's lower
+    // neighbours are done before its own
+    forAll(V, celli)
     {
-        loop.add(facei, sumP, gradQ);
+        loop.add(celli, start[celli], start[celli + 1], sumP, gradQ);
+
+        if (!beside.test(celli))
+        {
+            sumP[celli] /= V[celli];
+            gradQ[celli] *= factor/V[celli];
+        }
     }
 
+    // Last, for the very sums of gaussGrad, which a restart has
     forAll(p.boundaryField(), patchi)
     {
         addPatch
@@ -142,7 +199,7 @@ void Foam::pairGradient::set
         );
     }
 
-    forAll(V, celli)
+    for (const label celli : beside)
     {
         sumP[celli] /= V[celli];
         gradQ[celli] *= factor/V[celli];

@@ -85,7 +85,7 @@ void Foam::projection::begin(const bool firstOuter)
 void Foam::projection::solve
 (
     const dictionary& controls,
-    const volScalarField& divPhi,
+    const scalarField& divPhi,
     const dimensionedScalar& tau,
     const scalar reference
 )

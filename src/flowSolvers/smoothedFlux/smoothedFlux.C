@@ -127,18 +127,17 @@ void Foam::smoothedFlux::set(surfaceScalarField& phi) const
     // The reference stores the old flux
     scalarField& inside = phi.primitiveFieldRef();
 
-    // Once for all faces of a cell
-    vectorField all(mesh_.nCells());
+    const labelUList& start = mesh_.lduAddr().ownerStartAddr();
 
-    forAll(all, celli)
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        all[celli] = smoothed(celli);
-    }
+        const vector own(smoothed(celli));
 
-    forAll(inside, facei)
-    {
-        inside[facei] =
-            internal(facei, all[owner_[facei]], all[neighbour_[facei]]);
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            inside[facei] =
+                internal(facei, own, smoothed(neighbour_[facei]));
+        }
     }
 
     forAll(phi.boundaryField(), patchi)
