@@ -62,3 +62,40 @@ TEST_CASE("Sizes and stencil moments of cells along a normal", "[cellSearch]")
         CHECK(others.c4(celli, n) == Approx(fourth/second).epsilon(1e-3));
     }
 }
+
+
+TEST_CASE("Cells of one size are known to be so", "[cellSearch]")
+{
+    const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+    box.x = {{
+        testTools::graded(8, 2, 1),
+        testTools::graded(12, 3, 1),
+        testTools::graded(4, 1, 1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+    testTools::boxMesh wider(box);
+    wider.x[1] = testTools::graded(12, 3, 1.01);
+
+    const auto mesh(box.make(time));
+    const auto widerMesh(wider.make(time));
+    const cellSearch cubes(*mesh, geometricSpace(-1));
+    const cellSearch others(*widerMesh, geometricSpace(-1));
+    const vector n(normalised(vector(1, 2, -2)));
+
+    CHECK(cubes.hMax() == testTools::near(0.25));
+
+    forAll(mesh->cells(), celli)
+    {
+        CHECK(cubes.h(celli, n) == testTools::near(0.25));
+
+        // Wider or narrower along y
+        CHECK(mag(others.h(celli, n) - 0.25) > 1e-5);
+        CHECK(others.h(celli, n) < others.hMax());
+    }
+    forAll(mesh->faceNeighbour(), facei)
+    {
+        CHECK(cubes.faceH(facei, n) == testTools::near(0.25));
+        CHECK(mag(others.faceH(facei, n) - 0.25) > 1e-5);
+    }
+}

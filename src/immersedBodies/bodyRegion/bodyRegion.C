@@ -37,18 +37,18 @@ void Foam::bodyRegion::search
     const scalar bandWidth
 )
 {
-    const scalar hCap = hMax(body);
+    const scalar hCap = min(hMax(body), search.hMax());
     const scalar radius = body.shape().boundingRadius();
 
     searchCentre_ = centre(body.state());
-    searchMargin_ = 0.5*hCap;
+    searchMargin_ = max(0.5*hMax(body), hCap);
 
     const labelList inBox
     (
         search.cellsAround
         (
             searchCentre_,
-            reach(body, bandWidth) + searchMargin_
+            radius + (bandWidth + 0.5)*hCap + searchMargin_
         )
     );
     DynamicList<label> inReach(inBox.size());
@@ -110,6 +110,7 @@ void Foam::bodyRegion::select
     const SizeAlong& sizeAlong,
     const scalar bandWidth,
     DynamicList<label>& inBand,
+    DynamicList<point>& x,
     DynamicList<scalar>& d,
     DynamicList<vector>& n,
     DynamicList<scalar>& h
@@ -117,10 +118,10 @@ void Foam::bodyRegion::select
 {
     const scalar hCap = hMax(body);
     scalarField allD(labels.size());
-    DynamicList<point> x(labels.size());
     body.distance(centres, allD);
 
     inBand.clear();
+    x.clear();
     d.clear();
     h.clear();
 
@@ -151,6 +152,7 @@ void Foam::bodyRegion::select
         if (d[i] < bandWidth*hi)
         {
             inBand[nKept] = inBand[i];
+            x[nKept] = x[i];
             d[nKept] = d[i];
             n[nKept] = n[i];
             h[nKept] = hi;
@@ -159,6 +161,7 @@ void Foam::bodyRegion::select
     }
 
     inBand.setSize(nKept);
+    x.setSize(nKept);
     d.setSize(nKept);
     n.setSize(nKept);
     h.setSize(nKept);
@@ -187,7 +190,7 @@ bool Foam::bodyRegion::serves(const immersedBody& body) const
 }
 
 
-bool Foam::bodyRegion::follow(const immersedBody& body, const fvMesh& mesh)
+bool Foam::bodyRegion::follow(const immersedBody& body)
 {
     const bodyState& state = body.state();
     const vector move(state.position - position_);
@@ -201,17 +204,15 @@ bool Foam::bodyRegion::follow(const immersedBody& body, const fvMesh& mesh)
     }
 
     followed_ = far;
-    const point before(position_ + shift_);
 
     forAll(cells, i)
     {
-        const vector r(mesh.cellCentres()[cells[i]] - before);
-        distance[i] -= normal[i] & (move + (angle^r));
+        distance[i] -= normal[i] & (move + (angle^(x[i] - position_)));
     }
     forAll(faces, i)
     {
-        const vector r(mesh.faceCentres()[faces[i]] - before);
-        faceDistance[i] -= faceNormal[i] & (move + (angle^r));
+        faceDistance[i] -=
+            faceNormal[i] & (move + (angle^(faceX[i] - position_)));
     }
 
     position_ = state.position;
@@ -250,7 +251,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
 
     same_ = false;
 
-    if (again && follow(body, search.mesh()))
+    if (again && follow(body))
     {
         return change::moved;
     }
@@ -272,7 +273,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     (
         body, nearCells_, nearCellCentres_, nearCellH_,
         [&](const label celli, const vector& n) { return search.h(celli, n); },
-        bandWidth, cells, distance, normal, h
+        bandWidth, cells, x, distance, normal, h
     );
     select
     (
@@ -281,7 +282,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
         {
             return search.faceH(facei, n);
         },
-        bandWidth, faces, faceDistance, faceNormal, faceH
+        bandWidth, faces, faceX, faceDistance, faceNormal, faceH
     );
 
     c4.setSize(cells.size());
@@ -337,8 +338,10 @@ bool Foam::bodyRegion::clear()
     {
         values->clearStorage();
     }
-    normal.clearStorage();
-    faceNormal.clearStorage();
+    for (DynamicList<vector>* v : {&x, &normal, &faceX, &faceNormal})
+    {
+        v->clearStorage();
+    }
 
     return some;
 }

@@ -16,6 +16,8 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         dimensionedSymmTensor(dimArea, Zero),
         zeroGradientFvPatchSymmTensorField::typeName
     ),
+    hMax_(0),
+    uniform_(false),
     boxes_(mesh.nCells()),
     matched_(mesh.boundaryMesh().size()),
     faceMet_(mesh.nFaces())
@@ -51,6 +53,7 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         }
     }
     edges_.correctBoundaryConditions();
+    findSizes(space);
 
     // On coupled patches those of the other side, also if they are cyclic
     for (auto& patchEdges : edges_.boundaryFieldRef())
@@ -76,6 +79,26 @@ bool Foam::cellSearch::isBox(const cell& faces) const
     }
 
     return faces.size() == 6;
+}
+
+
+void Foam::cellSearch::findSizes(const geometricSpace& space)
+{
+    forAll(h_, celli)
+    {
+        hMax_ = max(hMax_, hMax(celli));
+    }
+    reduce(hMax_, maxOp<scalar>());
+
+    const vector h2(sqr(hMax_)*(vector::one - space.emptyDir()));
+    const symmTensor cube(h2.x(), 0, 0, h2.y(), 0, h2.z());
+    bool uniform = true;
+
+    for (const symmTensor& M : edges_)
+    {
+        uniform = uniform && mag(M - cube) < 1e-9*sqr(hMax_);
+    }
+    uniform_ = returnReduce(uniform, andOp<bool>());
 }
 
 
@@ -107,7 +130,7 @@ Foam::scalar Foam::cellSearch::faceH
     const vector& n
 ) const
 {
-    return Foam::sqrt(n & (faceEdges(facei) & n));
+    return uniform_ ? hMax_ : Foam::sqrt(n & (faceEdges(facei) & n));
 }
 
 

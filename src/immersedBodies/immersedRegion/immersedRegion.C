@@ -96,8 +96,6 @@ void Foam::immersedRegion::updateVelocity
     const ddtCoefficients& ddt
 )
 {
-    const vectorField& centres = mesh_.cellCentres();
-    const vectorField& faceCentres = mesh_.faceCentres();
     const vectorField& Sf = mesh_.faceAreas();
 
     UIndirectList<vector>(KU_, cells_) = vector::zero;
@@ -109,13 +107,11 @@ void Foam::immersedRegion::updateVelocity
         const immersedBody& body = bodies[region.body()];
         const bodyState& state = body.state();
         const rigidAcceleration acceleration(body.acceleration(ddt));
-        const point centre(region.centre(state));
 
         forAll(region.cells, i)
         {
             const label celli = region.cells[i];
-
-            const vector r(centres[celli] - centre);
+            const vector r(region.x[i] - state.position);
 
             if (region.resistance[i] > 0)
             {
@@ -133,7 +129,7 @@ void Foam::immersedRegion::updateVelocity
 
             bodyFlux_[facei] +=
                 region.faceShare[i]
-               *(region.velocity(state, faceCentres[facei]) & Sf[facei]);
+               *(state.velocity(region.faceX[i]) & Sf[facei]);
         }
     }
 }

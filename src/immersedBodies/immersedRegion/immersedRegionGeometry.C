@@ -50,36 +50,44 @@ void Foam::immersedRegion::combineShields
         return;
     }
 
+    // Places in the shields of several bodies
+    bitSet shared(total.size());
+    bool any = false;
+
     shieldSum_.resize(mesh_.nFaces());
+    UIndirectList<scalar>(total, all) = 0;
 
-    // Product of the open parts, and sum of the shields
-    UIndirectList<scalar>(total, all) = 1;
-    UIndirectList<scalar>(shieldSum_, all) = 0;
-
+    // One less the product of the open parts, and sum of the shields
     for (const bodyRegion& region : regions_)
     {
         forAll(region.*labels, i)
         {
             const label at = (region.*labels)[i];
+            const scalar shield = (region.*shields)[i];
+            const scalar before = total[at];
 
-            total[at] *= 1 - (region.*shields)[i];
-            shieldSum_[at] += (region.*shields)[i];
+            if (before > 0 && shield > 0)
+            {
+                shieldSum_[at] =
+                    shield + (shared.set(at) ? before : shieldSum_[at]);
+                any = true;
+            }
+            total[at] = before + shield*(1 - before);
         }
-    }
-
-    for (const label at : all)
-    {
-        total[at] = 1 - total[at];
     }
 
     for (bodyRegion& region : regions_)
     {
+        region.*shares = region.*shields;
+
         forAll(region.*labels, i)
         {
             const label at = (region.*labels)[i];
 
-            (region.*shares)[i] =
-                (region.*shields)[i]*total[at]/max(shieldSum_[at], VSMALL);
+            if (any && shared.test(at))
+            {
+                (region.*shares)[i] *= total[at]/shieldSum_[at];
+            }
         }
     }
 }
@@ -88,11 +96,6 @@ void Foam::immersedRegion::combineShields
 void Foam::immersedRegion::append(autoPtr<bodyRegion> region)
 {
     regions_.append(region.ptr());
-
-    if (regions_.size() > 1)
-    {
-        shieldSum_.setSize(mesh_.nFaces());
-    }
 }
 
 

@@ -159,12 +159,11 @@ void Foam::immersedRegion::addLoad
     const scalarField& K = K_;
     const bodyState& state = body.state();
     const rigidAcceleration acceleration(body.acceleration(ddt));
-    const point centre(region.centre(state));
 
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
-        const vector r(mesh_.cellCentres()[celli] - centre);
+        const vector r(region.x[i] - state.position);
         const vector Ub(state.U + (state.omega^r));
         vector q(region.share[i]*(gradP[celli] + acceleration(r)));
 

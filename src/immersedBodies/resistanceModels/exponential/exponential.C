@@ -110,8 +110,9 @@ Foam::scalar Foam::resistanceModels::exponential::shieldAt
 {
     const scalar x = (d - shieldShift_)/shieldWidth_;
 
+    // (1 - tanh(x))/2
     return x < shieldEnd_
-      ? 0.5*(1 - Foam::tanh(x))*fade(x, shieldFade_, shieldEnd_)
+      ? fade(x, shieldFade_, shieldEnd_)/(1 + Foam::exp(2*x))
       : 0;
 }
 
