@@ -115,10 +115,8 @@ TEST_CASE("Sums over the faces of cells are those of the mesh", "[faceSums]")
 
     forAll(div, celli)
     {
-        const scalar scale = exactMag[celli]/mesh->V()[celli];
-
-        CHECK(mag(div[celli] - exact[celli]) < 1e-12*scale);
-        CHECK(sumMag[celli] == testTools::near(exactMag[celli]));
+        CHECK(div[celli] == exact[celli]);
+        CHECK(sumMag[celli] == exactMag[celli]);
     }
 }
 
@@ -141,7 +139,8 @@ TEST_CASE("Gradients in some cells are those in all", "[pairGradient]")
 
     forAll(dU, celli)
     {
-        CHECK(mag(gradP[celli] - exactP[celli]) < 1e-12);
+        // To the last digit: a restart computes it with gaussGrad
+        CHECK(gradP[celli] == exactP[celli]);
         CHECK(mag(dU[celli] - factor*exactDp[celli]) < 1e-12);
     }
 

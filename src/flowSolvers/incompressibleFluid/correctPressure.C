@@ -4,13 +4,12 @@
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
-#include "faceSums.H"
 #include "fvcDdt.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
 #include "fvcMeshPhi.H"
 #include "fvcSnGrad.H"
-#include "fvcDiv.H"
+#include "fvcSurfaceIntegrate.H"
 #include "fvmLaplacian.H"
 #include "profiling.H"
 
@@ -18,21 +17,18 @@
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 {
     const scalarField& V = mesh_.V();
+    scalarField contErr(V.size(), Zero);
+    fvc::surfaceIntegrate(contErr, phi_);
 
     // Of magnitudes, of values, and of volumes
     vector sums(Zero);
 
-    faceSums
-    (
-        phi_,
-        [](const scalar flux) { return flux; },
-        [&](const label celli, const scalar out)
-        {
-            sums += vector(mag(out), out, V[celli]);
-
-            return out;
-        }
-    );
+    forAll(V, celli)
+    {
+        sums[0] += V[celli]*mag(contErr[celli]);
+        sums[1] += V[celli]*contErr[celli];
+        sums[2] += V[celli];
+    }
     reduce(sums, sumOp<vector>());
 
     const scalar sumLocal = runTime_.deltaTValue()*sums[0]/sums[2];

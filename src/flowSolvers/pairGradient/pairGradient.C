@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "pairGradient.H"
+#include "faceSums.H"
 #include "gaussGrad.H"
 #include "surfaceFields.H"
 
@@ -101,20 +102,6 @@ public:
 };
 
 
-//- Cells beside patches
-bitSet besidePatches(const volScalarField& p)
-{
-    bitSet cells(p.size());
-
-    for (const fvPatchScalarField& patch : p.boundaryField())
-    {
-        cells.set(patch.patch().faceCells());
-    }
-
-    return cells;
-}
-
-
 //- Add the faces of a patch to the sums of value times area of its cells
 void addPatch
 (
@@ -171,7 +158,7 @@ void Foam::pairGradient::set
     gradQ.resize(V.size());
     gradQ = Zero;
 
-    const bitSet beside(besidePatches(p));
+    const bitSet beside(besidePatches(mesh));
     const faceLoop loop(p, q);
 
     // Faces are in the order of their owners: those of a cell's lower
