@@ -36,7 +36,20 @@ Foam::immersedRegion::immersedRegion
     bodyFlux_(mesh.nFaces(), Zero),
     same_(false),
     version_(0),
-    weight_(mesh.nCells(), Zero),
+    weight_
+    (
+        IOobject
+        (
+            "weight",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    ),
     fluidPart_(mesh.nCells())
 {
     forAll(regions_, bodyi)

@@ -2,7 +2,6 @@
 
 #include "immersedRegion.H"
 #include "bandRows.H"
-#include "syncTools.H"
 
 namespace
 {
@@ -147,22 +146,26 @@ Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
         return faces;
     }
 
-    scalarList beyond;
-    syncTools::swapBoundaryCellList(mesh_, weight_, beyond);
+    weight_.correctBoundaryConditions();
 
-    forAll(beyond, i)
+    forAll(delta_, patchi)
     {
-        const label facei = mesh_.nInternalFaces() + i;
-        const label patchi = patchOf(facei);
-
-        if
-        (
-            delta_[patchi].size()
-         && beyond[i] > 0
-         && weight_[mesh_.faceOwner()[facei]] == 0
-        )
+        // Not coupled, or no faces
+        if (delta_[patchi].empty())
         {
-            faces.append(facei);
+            continue;
+        }
+
+        const fvPatchScalarField& patch = weight_.boundaryField()[patchi];
+        const scalarField beyond(patch.patchNeighbourField());
+        const labelUList& faceCells = patch.patch().faceCells();
+
+        forAll(beyond, i)
+        {
+            if (beyond[i] > 0 && weight_[faceCells[i]] == 0)
+            {
+                faces.append(patch.patch().start() + i);
+            }
         }
     }
 

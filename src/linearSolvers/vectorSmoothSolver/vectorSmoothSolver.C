@@ -39,6 +39,19 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     {
         solved_[cmpt] = valid[cmpt] == -1 ? 0 : 1;
     }
+
+    // Rounding of the others would spread, by sweeps, as tails of ever smaller
+    // numbers, and the processor takes long for the last of them
+    if (solved_ != vector::one)
+    {
+        vectorField& values = psi.primitiveFieldRef();
+
+        forAll(values, celli)
+        {
+            source_[celli] = cmptMultiply(solved_, source_[celli]);
+            values[celli] = cmptMultiply(solved_, values[celli]);
+        }
+    }
 }
 
 

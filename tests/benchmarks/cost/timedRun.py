@@ -43,7 +43,11 @@ class TimedRun(Result):
                 "libs (utilityFunctionObjects); }",
             )
         self.case, self.command, self.ranks = case, command, ranks
-        _, _, _, begin = self.run(WARM)
+        # How long the system takes to clear pages differs from run to run
+        begin = min(
+            (self.run(WARM)[3] for _ in range(2)),
+            key=lambda seconds: sum(seconds.values()),
+        )
         runs = [self.run(self.steps)]
         if times_of(runs[0][2])[-1] < SHORT:
             runs.append(self.run(self.steps))
