@@ -27,7 +27,7 @@ void keepFreedMemory()
 }
 
 
-//- Let fields lie in large pages where the system leaves that to programs: 9 %
+//- Let fields lie in large pages where the system leaves that to programs: 4 %
 //  of a step of 64^3 cells. Nothing is lost if it cannot be done.
 void useLargePages(const Foam::label nCells)
 {

@@ -49,6 +49,7 @@ public:
         q_(q)
     {}
 
+    //- One face
     void add
     (
         const label facei,
@@ -56,16 +57,7 @@ public:
         vectorField& sumQ
     ) const
     {
-        const label o = owner_[facei];
-        const label n = neighbour_[facei];
-        const scalar w = weights_[facei];
-        const vector fluxP(Sf_[facei]*(w*(p_[o] - p_[n]) + p_[n]));
-        const vector fluxQ(Sf_[facei]*(w*(q_[o] - q_[n]) + q_[n]));
-
-        sumP[o] += fluxP;
-        sumP[n] -= fluxP;
-        sumQ[o] += fluxQ;
-        sumQ[n] -= fluxQ;
+        add(owner_[facei], facei, facei + 1, sumP, sumQ);
     }
 
     //- The faces from begin to end, all of the same owner

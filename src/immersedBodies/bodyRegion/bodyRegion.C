@@ -41,6 +41,8 @@ void Foam::bodyRegion::search
     const scalar radius = body.shape().boundingRadius();
 
     searchCentre_ = centre(body.state());
+
+    // A cell at least: of a small body half a one is left in a step or two
     searchMargin_ = max(0.5*hMax(body), hCap);
 
     const labelList inBox

@@ -148,23 +148,17 @@ Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
 
     weight_.correctBoundaryConditions();
 
-    forAll(delta_, patchi)
+    const List<scalarField> beyond(coupledNeighbours(weight_));
+
+    forAll(beyond, patchi)
     {
-        // Not coupled, or no faces
-        if (delta_[patchi].empty())
-        {
-            continue;
-        }
+        const fvPatch& patch = mesh_.boundary()[patchi];
 
-        const fvPatchScalarField& patch = weight_.boundaryField()[patchi];
-        const scalarField beyond(patch.patchNeighbourField());
-        const labelUList& faceCells = patch.patch().faceCells();
-
-        forAll(beyond, i)
+        forAll(beyond[patchi], i)
         {
-            if (beyond[i] > 0 && weight_[faceCells[i]] == 0)
+            if (beyond[patchi][i] > 0 && weight_[patch.faceCells()[i]] == 0)
             {
-                faces.append(patch.patch().start() + i);
+                faces.append(patch.start() + i);
             }
         }
     }
