@@ -72,6 +72,22 @@ def test_disc_in_three_dimensions(tmp_path):
     assert FILE in log
 
 
+def test_restraints_of_an_unresolved_body(tmp_path):
+    case = BodyCase("box", tmp_path)
+    case.mesh(*3*[uniform(-1, 1, 10)])
+    case.replace(
+        FILE, "densityRatio    2.5;", "densityRatio 2.5; coupling unresolved;"
+        " restraints { one { type linearSpring; damping (1 1 1); } }",
+    )
+    case.replace(FILE, "bodies\n", "rho 1;\n\nbodies\n")
+
+    log = refusal(case)
+
+    assert "'restraints' in immersedBodyProperties" in log
+    assert "sphere is of the type 'unresolved'" in log
+    assert "'coupling resolved'" in log
+
+
 def test_moving_mesh(tube, tmp_path):
     case = BodyCase(tube, tmp_path, "tube")
     (case.path / "constant/dynamicMeshDict").write_text(MOVING_MESH)

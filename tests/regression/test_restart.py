@@ -15,6 +15,8 @@ VARIANTS = {
     },
     "backward, comoving window": {},
     "backward, prescribed motion": {},
+    "backward, restraints": {},
+    "backward, comoving window, restraints": {},
     "backward, adjusted time step, prescribed motion": {
         "adjustTimeStep": "yes",
         "maxCo": "0.2",
@@ -27,7 +29,26 @@ PRESCRIBED = """motion
                       level (1 0 0); }
         angularVelocity table ((0 (0 0 1)) (0.3 (0 0 -2)));
     }"""
+RESTRAINTS = """velocity ambient;
+    restraints
+    {
+        spring
+        {
+            type        linearSpring;
+            stiffness   (3 5 0);
+            damping     (0.1 0 0);
+            rotationalStiffness (0 0 0.1);
+        }
+        push
+        {
+            type        externalForce;
+            force       table ((0 (0 0 0)) (0.3 (0.1 0 0)));
+        }
+    }"""
 WINDOW = "window { type comoving; direction (1 0 0); }"
+ENTRIES = {
+    ", prescribed": PRESCRIBED, "restraints": RESTRAINTS,
+}
 
 
 @pytest.fixture(scope="module")
@@ -69,11 +90,12 @@ def test_restart_is_exact(variant, ranks, tube, tmp_path):
             "constant/immersedBodyProperties", "bodies\n{",
             f"{WINDOW}\n\nbodies\n{{",
         )
-    if "prescribed" in variant:
-        at_once.replace(
-            "constant/immersedBodyProperties", "velocity    ambient;",
-            PRESCRIBED,
-        )
+    for part, entries in ENTRIES.items():
+        if part in variant:
+            at_once.replace(
+                "constant/immersedBodyProperties", "velocity    ambient;",
+                entries,
+            )
     if ranks > 1:
         at_once.decompose(ranks)
     in_parts = BodyCase(at_once, tmp_path, "inParts")

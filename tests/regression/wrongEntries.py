@@ -3,7 +3,10 @@
 
 FILE = "constant/immersedBodyProperties"
 BODY = "position    (-0.53 -0.3 0);"
-
+RHO = "rho             1;\n\nbodies\n{\n    disc\n    {\n"
+DENSITY = (
+    "        shape       { type disc; radius 0.25; }\n        density     2;\n"
+)
 
 
 def injector(entries):
@@ -193,6 +196,29 @@ WRONG = {
         FILE, "type disc; radius 0.25;",
         "type superellipse; semiAxes (0.25 0.25); exponent 1.5;",
         ["'exponent'", "from 2 (round) to 100", FILE],
+    ),
+
+    # Restraints
+    "type of a restraint": (
+        FILE, BODY, BODY + " restraints { one { type spring; } }",
+        ["'type spring' in 'one'", "externalForce linearSpring", FILE],
+    ),
+    "keyword of a restraint": (
+        FILE, BODY,
+        BODY + " restraints { one { type linearSpring; stifness (1 1 1); } }",
+        ["'stifness' in 'one'", "nearest valid one is 'stiffness'", FILE],
+    ),
+    "restraints without rho": (
+        FILE, f"{RHO}{DENSITY}", f"{RHO}{DENSITY}".replace(
+            "rho             1;", ""
+        ).replace("density     2;", "densityRatio 2; restraints {"
+                  " one { type linearSpring; damping (1 1 1); } }"),
+        ["'restraints' in 'disc'", "set 'rho'", FILE],
+    ),
+    "force out of the plane, later": (
+        FILE, BODY, BODY + " restraints { one { type externalForce;"
+        " force table ((0 (0 0 0)) (1 (0 0 1))); } }",
+        ["'force' in 'one'", "at time 0.02", "allowed is (x y 0)", FILE],
     ),
 
     # Places

@@ -49,7 +49,7 @@ void Foam::bodySleep::settle(PtrList<immersedBody>& bodies, const scalar dt)
 {
     for (immersedBody& body : bodies)
     {
-        if (!body.isFree())
+        if (!body.settles())
         {
             continue;
         }

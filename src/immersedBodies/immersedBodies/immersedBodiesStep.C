@@ -51,7 +51,10 @@ void Foam::immersedBodies::predictPoses()
 
     for (immersedBody& body : bodies_)
     {
-        body.predictPose(dt, window_.meanVelocity());
+        body.predictPose
+        (
+            dt, window_.meanVelocity(), window_.displacement()
+        );
     }
 
     addContact();

@@ -25,6 +25,11 @@ Foam::immersedBody::immersedBody
     fixed_(false),
     material_(dict.lookupOrDefault("material", word::null)),
     resolved_(true),
+    startPosition_(space.inPlane(position)),
+    startOrientation_(orientation),
+    time_(0),
+    deltaT_(0),
+    meshShift_(Zero),
     asleep_(false),
     ambientU_(false),
     ambientOmega_(false),
@@ -39,6 +44,7 @@ Foam::immersedBody::immersedBody
     readMotion(dict);
     readCoupling(dict);
     readDensity(dict, rho);
+    restraints_ = bodyRestraint::readList(dict, space, rho, isFree());
     restart();
 }
 

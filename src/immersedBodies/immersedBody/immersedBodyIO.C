@@ -7,7 +7,7 @@
 const Foam::wordList Foam::immersedBody::keywords
 ({
     "shape", "density", "densityRatio", "velocity", "angularVelocity",
-    "constraints", "motion", "coupling", "material"
+    "constraints", "motion", "coupling", "material", "restraints"
 });
 
 
@@ -232,6 +232,9 @@ void Foam::immersedBody::readState(const dictionary& dict)
         eddy_ = turbulentEddy(dict.subDict("eddy"));
     }
 
+    dict.readIfPresent("startPosition", startPosition_);
+    dict.readIfPresent("startOrientation", startOrientation_);
+
     state_ = bodyState(dict);
     trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
     trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
@@ -293,6 +296,12 @@ void Foam::immersedBody::writeState(Ostream& os) const
     if (wrapped_ != vector::zero)
     {
         os.writeEntry("wrapped", wrapped_);
+    }
+
+    if (restraints_)
+    {
+        os.writeEntry("startPosition", startPosition_);
+        os.writeEntry("startOrientation", startOrientation_);
     }
 
     if (contactSpeed() > 0)

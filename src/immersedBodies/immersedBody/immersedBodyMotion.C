@@ -49,6 +49,12 @@ void Foam::immersedBody::setAmbient(const vector& U, const vector& omega)
 
 void Foam::immersedBody::prescribe(const scalar t)
 {
+    time_ = t;
+
+    if (restraints_)
+    {
+        checkRestraints(t);
+    }
     if (prescribed_)
     {
         state_.U = prescribed_->velocity(t);
@@ -124,10 +130,14 @@ void Foam::immersedBody::keepOnPlane(const vector& n)
 void Foam::immersedBody::predictPose
 (
     const scalar dt,
-    const vector& meshU
+    const vector& meshU,
+    const vector& meshShift
 )
 {
     clearContact();
+
+    deltaT_ = dt;
+    meshShift_ = meshShift;
 
     state_.position = old_.position;
     state_.orientation = old_.orientation;
@@ -219,7 +229,7 @@ Foam::scalar Foam::immersedBody::correctVelocity
     }
 
     scalarSquareMatrix J(jacobian(load_, ddt.c));
-    const rigidMomentum residual
+    rigidMomentum residual
     (
         (densityRatio_ - 1)*ddtMomentum_
       + rigidMomentum
@@ -229,6 +239,11 @@ Foam::scalar Foam::immersedBody::correctVelocity
         }
       - contactTerm(ddt)
     );
+
+    if (restraints_)
+    {
+        addRestraints(residual, J);
+    }
 
     scalarField change(6);
 

@@ -89,6 +89,15 @@ void Foam::unresolvedCoupling::resize(const PtrList<immersedBody>& bodies)
                 << "'" << nl << exit(FatalError);
         }
 
+        if (bodies[i].restrained() && type(bodies[i]) != "resolved")
+        {
+            FatalErrorInFunction
+                << "'restraints' in immersedBodyProperties need bodies that are"
+                << " resolved, and " << bodies[i].name() << " is of the type '"
+                << type(bodies[i]) << "'; use 'coupling resolved' for it" << nl
+                << exit(FatalError);
+        }
+
         kernels_.set(i, new bodyKernel());
         sphericities_[i] =
             type(bodies[i]) == "resolved"
