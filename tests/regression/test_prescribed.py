@@ -75,6 +75,19 @@ def test_constant_velocities_are_those_of_a_locked_body(tube, tmp_path):
     assert "motion: 0 free, 0 fixed, 1 prescribed" in log
 
 
+def test_free_across_is_a_free_body_with_a_locked_velocity(tube, tmp_path):
+    across = "densityRatio 2; constraints { translate (0 1 0); rotate (0 0 0); }"
+    free, _ = run(tube, tmp_path, "free", f"{across} velocity (0.5 0 0);")
+    towed, log = run(
+        tube, tmp_path, "towed",
+        f"{across} motion {{ type prescribed; velocity (0.5 0 0); }}",
+    )
+
+    assert same(towed, free)
+    assert "motion: 1 free, 0 fixed, 0 prescribed" in log
+    assert np.abs(free.table("motion")["velocity_y"]).max() > 1e-4
+
+
 def test_position_and_iterations_of_a_body_that_starts_from_rest(
     tube, tmp_path
 ):

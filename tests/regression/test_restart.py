@@ -15,6 +15,7 @@ VARIANTS = {
     },
     "backward, comoving window": {},
     "backward, prescribed motion": {},
+    "backward, partly prescribed motion": {},
     "backward, restraints": {},
     "backward, comoving window, restraints": {},
     "backward, adjusted time step, prescribed motion": {
@@ -29,6 +30,12 @@ PRESCRIBED = """motion
                       level (1 0 0); }
         angularVelocity table ((0 (0 0 1)) (0.3 (0 0 -2)));
     }"""
+PARTLY = """motion
+    {
+        type        prescribed;
+        velocity    table ((0 (1 0 0)) (0.3 (0 0 0)));
+    }
+    constraints     { translate (0 1 0); rotate (0 0 1); }"""
 RESTRAINTS = """velocity ambient;
     restraints
     {
@@ -47,7 +54,7 @@ RESTRAINTS = """velocity ambient;
     }"""
 WINDOW = "window { type comoving; direction (1 0 0); }"
 ENTRIES = {
-    ", prescribed": PRESCRIBED, "restraints": RESTRAINTS,
+    ", prescribed": PRESCRIBED, "partly": PARTLY, "restraints": RESTRAINTS,
 }
 
 

@@ -198,6 +198,20 @@ WRONG = {
         ["'exponent'", "from 2 (round) to 100", FILE],
     ),
 
+    "constraints of half of a prescribed motion": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity (1 0 0); }"
+        " constraints { translate (0 1 0); }",
+        ["'rotate'", FILE],
+    ),
+    "prescribed velocity of a free component": (
+        FILE, "velocity    ambient;",
+        "motion { type prescribed; velocity (1 1 0); }"
+        " constraints { translate (0 1 0); rotate (0 0 0); }",
+        ["'velocity' in 'motion' is (1 1 0) at time 0", "'constraints'",
+         "allowed is (x 0 0)", FILE],
+    ),
+
     # Restraints
     "type of a restraint": (
         FILE, BODY, BODY + " restraints { one { type spring; } }",

@@ -98,9 +98,11 @@ void Foam::immersedBody::readMotion(const dictionary& dict)
         return;
     }
 
-    for (const char* key : {"constraints", "velocity", "angularVelocity"})
+    freeU_ = freeOmega_ = Zero;
+
+    for (const word key : {"constraints", "velocity", "angularVelocity"})
     {
-        if (dict.found(key))
+        if (dict.found(key) && (type == "fixed" || key != "constraints"))
         {
             FatalIOErrorInFunction(dict)
                 << "'" << key << "' in '" << dict.dictName() << "' is for"
@@ -110,8 +112,6 @@ void Foam::immersedBody::readMotion(const dictionary& dict)
         }
     }
 
-    freeU_ = freeOmega_ = Zero;
-
     if (type == "fixed")
     {
         fixed_ = true;
@@ -119,8 +119,42 @@ void Foam::immersedBody::readMotion(const dictionary& dict)
     }
     else
     {
-        prescribed_ = std::make_shared<const prescribedMotion>(motion, space_);
+        readPrescribed(dict, motion);
     }
+}
+
+
+void Foam::immersedBody::readPrescribed
+(
+    const dictionary& dict,
+    const dictionary& motion
+)
+{
+    if (dict.found("constraints"))
+    {
+        const dictionary& constraints = dict.subDict("constraints");
+
+        // None is free or prescribed by default: both would surprise
+        constraints.get<vector>("translate");
+        constraints.get<vector>("rotate");
+
+        freeU_ = space_.translation();
+        freeOmega_ = space_.rotation();
+        readConstraints(dict);
+    }
+
+    if (freeU_ == space_.translation() && freeOmega_ == space_.rotation())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'constraints' in '" << dict.dictName() << "' leave nothing to"
+            << " 'motion { type prescribed; }': lock a component with 0, or"
+            << " use 'type free'" << nl << exit(FatalIOError);
+    }
+
+    prescribed_ = std::make_shared<const prescribedMotion>
+    (
+        motion, space_, freeU_, freeOmega_
+    );
 }
 
 

@@ -18,6 +18,24 @@ void lock(Foam::scalarSquareMatrix& A, Foam::scalarField& b, const int k)
 }
 
 
+//- Take those components of a velocity that are not free
+void setComponents
+(
+    const Foam::vector& free,
+    const Foam::vector& prescribed,
+    Foam::vector& velocity
+)
+{
+    for (Foam::direction k = 0; k < 3; ++k)
+    {
+        if (free[k] < 0.5)
+        {
+            velocity[k] = prescribed[k];
+        }
+    }
+}
+
+
 //- The change if it goes on as expected, otherwise, as in the transient of a
 //  sudden start, nothing
 Foam::vector trend(const Foam::vector& change, const Foam::vector& expected)
@@ -57,8 +75,8 @@ void Foam::immersedBody::prescribe(const scalar t)
     }
     if (prescribed_)
     {
-        state_.U = prescribed_->velocity(t);
-        state_.omega = prescribed_->angularVelocity(t);
+        setComponents(freeU_, prescribed_->velocity(t), state_.U);
+        setComponents(freeOmega_, prescribed_->angularVelocity(t), state_.omega);
     }
 }
 

@@ -3,14 +3,33 @@
 #include "prescribedMotion.H"
 #include "checkKeywords.H"
 
+namespace
+{
+    //- Says what components do that are not allowed
+    Foam::string reason(const Foam::vector& free)
+    {
+        return Foam::string("leads out of the plane of the mesh")
+          + (cmptMax(free) > 0 ? ", or along what 'constraints' free" : "");
+    }
+}
+
+
 Foam::prescribedMotion::prescribedMotion
 (
     const dictionary& dict,
-    const geometricSpace& space
+    const geometricSpace& space,
+    const vector& freeU,
+    const vector& freeOmega
 )
 :
-    velocity_(dict, "velocity", space.translation()),
-    angularVelocity_(dict, "angularVelocity", space.rotation())
+    velocity_
+    (
+        dict, "velocity", space.translation() - freeU, reason(freeU)
+    ),
+    angularVelocity_
+    (
+        dict, "angularVelocity", space.rotation() - freeOmega, reason(freeOmega)
+    )
 {
     keywords::check
     (
