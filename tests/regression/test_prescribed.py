@@ -88,6 +88,14 @@ def test_free_across_is_a_free_body_with_a_locked_velocity(tube, tmp_path):
     assert np.abs(free.table("motion")["velocity_y"]).max() > 1e-4
 
 
+def test_least_number_of_iterations(tube, tmp_path):
+    case, log = run(
+        tube, tmp_path, "four", SINE, "coupling { minOuterCorrectors 4; }"
+    )
+    assert "at most 30 iterations, tolerance 0.0001, at least 4" in log
+    assert set(re.findall(r"outer iterations (\d+)", log)) == {"4"}
+
+
 def test_position_and_iterations_of_a_body_that_starts_from_rest(
     tube, tmp_path
 ):

@@ -110,6 +110,12 @@ WRONG = {
         FILE, "bodies\n", "coupling { nOuterCorrectors 0; }\nbodies\n",
         ["'nOuterCorrectors 0'", "greater than 0", FILE],
     ),
+    "more iterations at least than at most": (
+        FILE, "bodies\n",
+        "coupling { nOuterCorrectors 3; minOuterCorrectors 5; }\nbodies\n",
+        ["'minOuterCorrectors 5' in 'coupling'", "'nOuterCorrectors', 3",
+         FILE],
+    ),
     "velocity": (
         FILE, "velocity    ambient", "velocity (1 0 0.1)",
         ["'velocity'", "'disc'", "out of the plane", FILE],

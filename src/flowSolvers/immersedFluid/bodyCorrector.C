@@ -98,7 +98,9 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
 
     // Through the mesh, the first iteration knows the pressure of the old pose
     // only. Steps on the way to a steady state need not converge.
-    const bool posed = outer_ > 1 || bodies_->window().comoving();
+    const bool posed =
+        (outer_ > 1 || bodies_->window().comoving())
+     && outer_ >= bodies_->minOuterCorrectors();
 
     converged_ = !bodies_->moving()
      || bodies_->atRest()

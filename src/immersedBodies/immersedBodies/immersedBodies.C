@@ -118,6 +118,7 @@ Foam::immersedBodies::immersedBodies
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
     nOuterCorrectors_(30),
+    minOuterCorrectors_(1),
     tolerance_(1e-4),
     steady_(dict)
 {
@@ -129,18 +130,7 @@ Foam::immersedBodies::immersedBodies
         contact_->readMaterials(dict_, walls_());
     }
 
-    nOuterCorrectors_ = label
-    (
-        keywords::positiveOr(coupling, "nOuterCorrectors", nOuterCorrectors_)
-    );
-    tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
-
-    if (steady_.active())
-    {
-        // The time steps themselves are the iterations
-        checkSteady();
-        nOuterCorrectors_ = 1;
-    }
+    readIterations(coupling);
 
     if (!restarted_)
     {

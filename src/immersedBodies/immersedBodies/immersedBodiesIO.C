@@ -50,6 +50,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     );
     wordList ofCoupling(unresolvedCoupling::keywords);
     ofCoupling.append(word("nOuterCorrectors"));
+    ofCoupling.append(word("minOuterCorrectors"));
     ofCoupling.append(word("tolerance"));
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
 
@@ -64,6 +65,39 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     onlyChoice("motion", "matching");
 
     return dict;
+}
+
+
+void Foam::immersedBodies::readIterations(const dictionary& coupling)
+{
+    nOuterCorrectors_ = label
+    (
+        keywords::positiveOr(coupling, "nOuterCorrectors", nOuterCorrectors_)
+    );
+    minOuterCorrectors_ = label
+    (
+        keywords::positiveOr
+        (
+            coupling, "minOuterCorrectors", minOuterCorrectors_
+        )
+    );
+    tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
+
+    if (minOuterCorrectors_ > nOuterCorrectors_)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'minOuterCorrectors " << minOuterCorrectors_ << "' in '"
+            << coupling.dictName() << "' must not be larger than"
+            << " 'nOuterCorrectors', " << nOuterCorrectors_ << nl
+            << exit(FatalIOError);
+    }
+
+    if (steady_.active())
+    {
+        // The time steps themselves are the iterations
+        checkSteady();
+        nOuterCorrectors_ = minOuterCorrectors_ = 1;
+    }
 }
 
 
@@ -148,6 +182,10 @@ void Foam::immersedBodies::report(Ostream& os) const
 
     os  << nl << "    coupling: at most " << nOuterCorrectors_
         << " iterations, tolerance " << tolerance_;
+    if (minOuterCorrectors_ > 1)
+    {
+        os  << ", at least " << minOuterCorrectors_;
+    }
     if (nUnresolved())
     {
         os  << nl << "    ";
