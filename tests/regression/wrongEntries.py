@@ -241,6 +241,17 @@ WRONG = {
         ["'force' in 'one'", "at time 0.02", "allowed is (x y 0)", FILE],
     ),
 
+    # The window
+    "window without a direction": (
+        FILE, "bodies\n", "window { type comoving; }\nbodies\n",
+        ["'window'", "one of 'direction' and 'directions'", FILE],
+    ),
+    "window across the walls": (
+        FILE, "bodies\n",
+        "window { type comoving; directions ((1 0 0) (0 1 0)); }\nbodies\n",
+        ["'direction (0 1 0)'", "not parallel to the wall 'walls'", FILE],
+    ),
+
     # Places
     "no position": (
         FILE, BODY, "",

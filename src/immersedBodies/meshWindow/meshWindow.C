@@ -16,7 +16,6 @@ Foam::meshWindow::meshWindow
         keywords::choice(dict, "type", {"fixed", "comoving"}, "fixed")
      == "comoving"
     ),
-    direction_(Zero),
     prescribed_(dict.found("velocity")),
     velocity_(Zero),
     oldVelocity_(Zero),
@@ -29,8 +28,8 @@ Foam::meshWindow::meshWindow
         return;
     }
 
-    keywords::check(dict, {"type", "direction", "follow", "velocity"});
-    direction_ = normalised(dict.get<vector>("direction"));
+    keywords::check(dict, {"type", "direction", "directions", "follow", "velocity"});
+    directions_ = readDirections(dict);
     checkWalls(dict, mesh);
 
     wordList names({"centroid"});
@@ -49,8 +48,97 @@ Foam::meshWindow::meshWindow
 
     if (prescribed_)
     {
-        velocity_ = dict.get<scalar>("velocity")*direction_;
+        velocity_ = readVelocity(dict);
     }
+}
+
+
+Foam::List<Foam::vector> Foam::meshWindow::readDirections
+(
+    const dictionary& dict
+)
+{
+    if (dict.found("direction") == dict.found("directions"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << dict.dictName() << "' of the type comoving needs one of"
+            << " 'direction' and 'directions'" << nl << exit(FatalIOError);
+    }
+
+    if (dict.found("direction"))
+    {
+        return List<vector>(1, normalised(dict.get<vector>("direction")));
+    }
+
+    const List<vector> given(dict.get<List<vector>>("directions"));
+    List<vector> directions(given);
+    bool good = given.size() > 0;
+
+    forAll(given, i)
+    {
+        vector& e = directions[i];
+
+        for (label j = 0; j < i; ++j)
+        {
+            e -= (e & directions[j])*directions[j];
+        }
+        good = good && mag(e) > 1e-6*mag(given[i]) && mag(e) > 0;
+        e = normalised(e);
+    }
+
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'directions " << flatOutput(given) << "' in '"
+            << dict.dictName() << "' must be one to three vectors, none of"
+            << " them in the span of those before it" << nl
+            << exit(FatalIOError);
+    }
+
+    return directions;
+}
+
+
+Foam::vector Foam::meshWindow::readVelocity(const dictionary& dict) const
+{
+    const bool one = dict.found("direction");
+
+    if (token(dict.lookup("velocity")).isNumber() != one)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'velocity' in '" << dict.dictName() << "' must be a speed [m/s]"
+            << " with 'direction', a vector [m/s] with 'directions'" << nl
+            << exit(FatalIOError);
+    }
+
+    if (one)
+    {
+        return dict.get<scalar>("velocity")*directions_[0];
+    }
+
+    const vector V(dict.get<vector>("velocity"));
+
+    if (mag(V - along(V)) > 1e-6*mag(V))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'velocity " << V << "' in '" << dict.dictName() << "' must be"
+            << " in the span of 'directions'" << nl << exit(FatalIOError);
+    }
+
+    return V;
+}
+
+
+Foam::vector Foam::meshWindow::along(const vector& v) const
+{
+    vector sum((v & directions_[0])*directions_[0]);
+
+    for (label i = 1; i < directions_.size(); ++i)
+    {
+        sum += (v & directions_[i])*directions_[i];
+    }
+
+    return sum;
 }
 
 
@@ -62,22 +150,26 @@ void Foam::meshWindow::checkWalls
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        scalar across = 0;
-
-        if (isA<wallPolyPatch>(patch))
+        for (const vector& e : directions_)
         {
-            for (const vector& Sf : patch.faceAreas())
+            scalar across = 0;
+
+            if (isA<wallPolyPatch>(patch))
             {
-                across = max(across, mag(Sf & direction_)/mag(Sf));
+                for (const vector& Sf : patch.faceAreas())
+                {
+                    across = max(across, mag(Sf & e)/mag(Sf));
+                }
             }
-        }
 
-        if (returnReduce(across, maxOp<scalar>()) > 1e-6)
-        {
-            FatalIOErrorInFunction(dict)
-                << "'direction " << direction_ << "' is not parallel to the"
-                << " wall '" << patch.name() << "': a comoving window needs a"
-                << " straight tube" << nl << exit(FatalIOError);
+            if (returnReduce(across, maxOp<scalar>()) > 1e-6)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "'direction " << e << "' is not parallel to the"
+                    << " wall '" << patch.name() << "': a comoving window"
+                    << " needs walls that slide along themselves, as those of"
+                    << " a straight tube do" << nl << exit(FatalIOError);
+            }
         }
     }
 }
@@ -118,7 +210,7 @@ void Foam::meshWindow::follow(const PtrList<immersedBody>& bodies)
 
     if (n)
     {
-        velocity_ = (sum/n & direction_)*direction_;
+        velocity_ = along(sum/n);
     }
 }
 
