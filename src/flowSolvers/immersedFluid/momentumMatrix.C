@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "comovingDerivative.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 
@@ -110,8 +111,13 @@ Foam::flowSolvers::immersedFluid::assembleMomentum()
 
     tmp<fvVectorMatrix> tEqn(ddtMomentum());
     fvVectorMatrix& eqn = tEqn.ref();
+    comovingDerivative& frame = bodies_->frame();
 
+    // Time derivative and convection as the bodies see them
+    frame.addOldTimes(U_, eqn.source());
+    frame.removeFlux(phi_);
     addTransport(eqn);
+    frame.restoreFlux(phi_);
 
     if (rotating)
     {

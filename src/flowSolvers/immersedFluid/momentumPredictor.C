@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "comovingDerivative.H"
 #include "fvcGrad.H"
 #include "profiling.H"
 #include "vectorSmoothSolver.H"
@@ -93,29 +94,33 @@ Foam::flowSolvers::immersedFluid::drive() const
 }
 
 
-void Foam::flowSolvers::immersedFluid::extrapolatePressure()
+Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
 {
-    // The first step of a run has one previous level only
-    if
-    (
+    // The extrapolation is stable where viscosity reaches over cells; the
+    // first step of a run has one previous level only
+    const bool can =
         bodies_->moving()
      && bodies_->nResolved()
      && !bodies_->window().comoving()
      && uniformViscosity_
-     && runTime_.timeIndex() > 1
-    )
+     && runTime_.timeIndex() > 1;
+
+    return can ? max(1 - 1/max(viscousReach_, SMALL), 0) : 0;
+}
+
+
+void Foam::flowSolvers::immersedFluid::extrapolatePressure()
+{
+    const scalar part = pressureTrend();
+    const scalar ratio = runTime_.deltaTValue()/runTime_.deltaT0Value();
+
+    if (part > 0)
     {
-        // The extrapolation is stable where viscosity reaches over cells
-        const scalar part = max(1 - 1/max(viscousReach_, SMALL), 0)
-           *runTime_.deltaTValue()/runTime_.deltaT0Value();
         const volScalarField& p0 = p_.oldTime();
 
-        if (part > 0)
-        {
-            p_.primitiveFieldRef() +=
-                part*(p0.primitiveField() - p0.oldTime().primitiveField());
-            gradP_.clear();
-        }
+        p_.primitiveFieldRef() += part*ratio
+           *(p0.primitiveField() - p0.oldTime().primitiveField());
+        gradP_.clear();
     }
 
     // Those on patches may depend on time
@@ -126,6 +131,18 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
     if (!gradP_.valid() || returnReduce(changed, orOp<bool>()))
     {
         gradP_ = fvc::grad(p_);
+    }
+
+    // What the trend is not used for moves along with the bodies
+    const comovingDerivative& frame = bodies_->frame();
+
+    if (frame.active())
+    {
+        frame.follow(1 - part, p_, gradP_.ref());
+        if (!pairOfGradients_)
+        {
+            gradP_ = fvc::grad(p_);
+        }
     }
 }
 
@@ -191,6 +208,10 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     endWait(1/ddt.c);
 
+    if (!stokes_)
+    {
+        bodies_->updateFrame(ddt);
+    }
     if (outer_ == 1)
     {
         setViscousReach();

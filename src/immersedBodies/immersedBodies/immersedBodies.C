@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "bodyPassage.H"
 #include "checkKeywords.H"
+#include "comovingDerivative.H"
 #include "contactModel.H"
 #include "symmetryPlanes.H"
 #include "unresolvedCoupling.H"
@@ -114,6 +115,7 @@ Foam::immersedBodies::immersedBodies
         bodies_.size(),
         moving_
     ),
+    frame_(new comovingDerivative(mesh, region_.neighbours())),
     proximity_(mesh, periodicity_, contact_()),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),

@@ -2,6 +2,7 @@
 
 #include "immersedBodies.H"
 #include "bodyPassage.H"
+#include "comovingDerivative.H"
 #include "compat.H"
 #include "contactModel.H"
 #include "profiling.H"
@@ -103,6 +104,26 @@ void Foam::immersedBodies::updateResistance
 
     region_.updateResistance(bodies_, A0, nu, again);
     region_.updateVelocity(bodies_, ddt);
+}
+
+
+void Foam::immersedBodies::updateFrame(const ddtCoefficients& ddt)
+{
+    addProfiling(frame, "immersedBodies::updateFrame");
+
+    frame_->update
+    (
+        region_.regions(),
+        bodies_,
+        region_.resistance().bandWidth(),
+        ddt
+    );
+}
+
+
+Foam::comovingDerivative& Foam::immersedBodies::frame()
+{
+    return frame_();
 }
 
 

@@ -222,6 +222,33 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 }
 
 
+Foam::scalar Foam::immersedBody::heldChange
+(
+    const bodyLoad& before,
+    const scalar ddtCoeff
+) const
+{
+    if (isFixed())
+    {
+        return 0;
+    }
+
+    vector force(load_.force - before.force);
+    vector torque(load_.torque - before.torque);
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        force[k] *= freeU_[k] < 0.5 ? space_.translation()[k] : 0;
+        torque[k] *= freeOmega_[k] < 0.5 ? space_.rotation()[k] : 0;
+    }
+
+    const tensor I(inertia(state_));
+
+    return mag(force)/(ddtCoeff*volume())
+      + 3*shape_->boundingRadius()*mag(torque)/(ddtCoeff*tr(I));
+}
+
+
 Foam::scalar Foam::immersedBody::correctVelocity
 (
     const bodyLoad& load,
@@ -229,6 +256,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
     const vector& g
 )
 {
+    const bodyLoad before(load_);
+
     load_ = load;
 
     for (direction k = 0; k < 3; ++k)
@@ -241,9 +270,11 @@ Foam::scalar Foam::immersedBody::correctVelocity
 
     ddtMomentum_ = ddtMomentum(ddt);
 
+    const scalar held = heldChange(before, ddt.c);
+
     if (!isFree())
     {
-        return 0;
+        return held;
     }
 
     scalarSquareMatrix J(jacobian(load_, ddt.c));
@@ -284,5 +315,5 @@ Foam::scalar Foam::immersedBody::correctVelocity
     state_.U += dU;
     state_.omega += dOmega;
 
-    return mag(dU) + shape_->boundingRadius()*mag(dOmega);
+    return max(mag(dU) + shape_->boundingRadius()*mag(dOmega), held);
 }
