@@ -29,6 +29,14 @@ def set_stokes(case):
     )
 
 
+def set_direct(case):
+    """The direct solver for the pressure: the mesh is a box."""
+    case.replace(
+        "system/fvSolution", "GAMG;\n        smoother        GaussSeidel",
+        "fastPoisson",
+    )
+
+
 def set_viscosity(case, nu):
     """nu of a case whose file says 0.5."""
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")

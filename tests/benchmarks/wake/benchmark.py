@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Velocity and path of a sphere that settles, with a wake that may be unsteady."""
+
+import math
+
+import numpy as np
+
+import boxMesh
+from bodyCase import BodyCase
+from boxMesh import graded
+from measure import Run, set_direct, set_viscosity
+from unbounded import set_conditions, set_gravity, whole_periods
+
+RATIO = 1.5
+G = 1/(RATIO - 1)       # D = 1, u_g = 1
+AHEAD, BEHIND, SIDE = 6, 12, 5
+
+# Ga: V, V_H, that by which gravity is turned, velocity across at the start, end,
+# core in y and z
+STEADY, OBLIQUE = ((-1, 1), (-1, 1)), ((-4, 4), (-1.5, 1.5))
+CASES = {
+    144: (1.2853, 0, 0, 0.01, 100, STEADY),
+    178.46: (1.356, 0.1245, 0.1245, 0.1, 100, OBLIQUE),
+    190: (1.3827, None, 0.13, 0.1, 120, OBLIQUE),
+    250: (1.4604, None, 0, 0.01, 120, ((-2.5, 2.5), (-2.5, 2.5))),
+}
+OSCILLATE = 190, 250
+
+# Fluid ahead is at rest
+U = """
+    inlet   { type fixedValue; value uniform (0 0 0); }
+    outlet  { type zeroGradient; }
+    sides   { type slip; }
+"""
+P = """
+    inlet   { type zeroGradient; }
+    outlet  { type fixedValue; value uniform 0; }
+    sides   { type slip; }
+"""
+PATCHES = {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"}
+
+
+def on_mesh(low, high, h):
+    return h*round(low/h), h*round(high/h)
+
+
+def make_mesh(case, h, core, growth):
+    """Number of cells."""
+    along = graded(-BEHIND, AHEAD, on_mesh(-1.6, 0.9, h), h, growth)
+    across = [
+        graded(low - SIDE, high + SIDE, on_mesh(low, high, h), h, growth)
+        for low, high in core
+    ]
+    n = boxMesh.write(case, along, *across, PATCHES)
+    case.run("blockMesh")
+    return n
+
+
+def solve(folder, galilei, cells, end, growth):
+    """Case after its run, the run, unit vectors along gravity and across."""
+    V, _, turned, kick, _, core = CASES[galilei]
+    h, angle = 1/cells, math.atan2(turned, V)
+    down = np.array([math.cos(angle), -math.sin(angle)])
+    across = np.array([math.sin(angle), math.cos(angle)])
+    start = V*down + kick*across
+    case = BodyCase("tube", folder, f"Ga{galilei}_D{cells}")
+    set_conditions(case, U, P)
+    n = make_mesh(case, h, core, growth)
+    set_viscosity(case, 1/galilei)
+    set_direct(case)
+    set_gravity(case, *(G*down))
+    case.bodies(f"""
+        sphere
+        {{
+            shape       {{ type sphere; radius 0.5; }}
+            densityRatio {RATIO};
+            position    (0 {0.23*h:.6g} {0.31*h:.6g});
+            velocity    ({start[0]:.12g} {start[1]:.12g} 0);
+            angularVelocity (0 0 0);
+        }}
+    """, "window { type comoving; direction (1 0 0); }")
+    case.controls(endTime=f"{end}", deltaT=f"{0.5*h/V:.6g}")
+    run = Run(case, f"Ga {galilei}", cells, n, may_fail=True)
+    return case, run, down, across
+
+
+def beyond(motion, core):
+    """By how much the surface has left the core, negative if it has not."""
+    left = [
+        sign*motion[f"position_{c}"] + 0.5 - sign*edge
+        for c, edges in zip("yz", core)
+        for sign, edge in zip((-1, 1), edges)
+    ]
+    return np.max(left)
+
+
+def figures(case, run, galilei, down, across):
+    """Rows of a run."""
+    V, V_H, *_, core = CASES[galilei]
+    motion = case.table("motion")
+    # At even times: steps may have been repeated with half their length
+    time = np.linspace(motion["time"][0], motion["time"][-1], len(motion["time"]))
+    late = time > 2*time[-1]/3
+    velocity = np.array([
+        np.interp(time, motion["time"], motion[f"velocity_{c}"]) for c in "xyz"
+    ])[:, late]
+    time = time[late]
+    fall = down @ velocity[:2]
+    # Across gravity, in the plane x, y and out of it
+    aside = np.array([across @ velocity[:2], velocity[2]])
+    speed = np.hypot(*aside)
+
+    whole, period = slice(None), None
+    if galilei in OSCILLATE:
+        whole, period = whole_periods(time, speed)
+    yield run.row("V", fall[whole].mean(), V)
+    mean = np.hypot(*aside[:, whole].mean(axis=1))
+    if galilei == 144:
+        drift = 100*mean
+        yield run.row("drift in 100", drift, 0, drift/V)
+    else:
+        yield run.row("V_H", mean, V_H)
+    yield run.row("V_H, rms", np.sqrt(np.mean(speed[whole]**2)))
+    if period:
+        yield run.row("frequency", 1/period)
+    spin = np.linalg.norm(
+        [motion[f"angularVelocity_{c}"] for c in "xyz"], axis=0
+    )
+    yield run.row("spin", spin[2*len(spin)//3:].mean())
+    yield run.row("change of V, %", 100*np.ptp(fall)/V)
+    yield run.row("off the core, D", beyond(motion, core))
+    yield run.row("outers, mean", np.mean(run.outers))
+    yield run.row("outers, largest", max(run.outers))
+    yield run.row(
+        "not converged", run.steps - run.converged, 0,
+        100*(1 - run.converged/run.steps),
+    )
+
+
+def rows(folder, quick):
+    for galilei in (144,) if quick else CASES:
+        cells, growth = (8, 1.15) if quick else (10, 1.1)
+        end = 12 if quick else CASES[galilei][4]
+        case, run, *axes = solve(folder, galilei, cells, end, growth)
+        if run.failed:
+            yield run.diverged()
+            continue
+        yield from figures(case, run, galilei, *axes)
