@@ -237,6 +237,9 @@ void Foam::comovingDerivative::removeFlux(surfaceScalarField& phi)
 {
     kept_.resize(faces_.size());
 
+    // The first access to patches would store what is changed here
+    phi.storeOldTimes();
+
     forAll(faces_, i)
     {
         scalar& flux = at(phi, faces_[i]);
