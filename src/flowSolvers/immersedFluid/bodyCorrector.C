@@ -3,6 +3,15 @@
 #include "immersedFluid.H"
 #include "carrierFlow.H"
 
+namespace
+{
+    //- Last outer iteration that is made for loads only, where no body follows
+    //  them: most of what an acceleration makes them lag by is gone then, and
+    //  the rest would take many more
+    const Foam::label lastLoadOuter = 4;
+}
+
+
 Foam::scalar Foam::flowSolvers::immersedFluid::fluidSpeed() const
 {
     return CoNum*bodies_->minCellSize()/runTime_.deltaTValue();
@@ -106,7 +115,8 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
      || bodies_->atRest()
      || !bodies_->nResolved()
      || bodies_->steady().active()
-     || (posed && change <= bodies_->tolerance()*speed);
+     || (posed && change <= bodies_->tolerance()*speed)
+     || (posed && !free && outer_ >= lastLoadOuter);
 
     // Seldom needed: most steps take two iterations
     if (free && !converged_ && outer_ > 2)

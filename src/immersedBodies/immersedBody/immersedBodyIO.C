@@ -260,6 +260,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
 
     resolved_ = !dict.found("load");
     load_.force = dict.lookupOrDefault<vector>("load", Zero);
+    dict.readIfPresent("heldForce", load_.force);
+    dict.readIfPresent("heldTorque", load_.torque);
 
     if (dict.found("eddy"))
     {
@@ -315,6 +317,16 @@ void Foam::immersedBody::writeState(Ostream& os) const
     {
         // What the next step begins with
         os.writeEntry("load", load_.force);
+    }
+    else if
+    (
+        !isFixed()
+     && (freeU_ != space_.translation() || freeOmega_ != space_.rotation())
+    )
+    {
+        // What the next step compares the load with, see heldChange()
+        os.writeEntry("heldForce", load_.force);
+        os.writeEntry("heldTorque", load_.torque);
     }
     if (eddy_.number > 0)
     {
