@@ -76,7 +76,10 @@ void Foam::immersedBody::prescribe(const scalar t)
     if (prescribed_)
     {
         setComponents(freeU_, prescribed_->velocity(t), state_.U);
-        setComponents(freeOmega_, prescribed_->angularVelocity(t), state_.omega);
+        setComponents
+        (
+            freeOmega_, prescribed_->angularVelocity(t), state_.omega
+        );
     }
 }
 
