@@ -231,18 +231,21 @@ Foam::scalar Foam::immersedBody::heldChange
     const scalar ddtCoeff
 ) const
 {
-    if (isFixed())
-    {
-        return 0;
-    }
-
     vector force(load_.force - before.force);
     vector torque(load_.torque - before.torque);
 
+    // None where it is at rest
+    const bool moves = state_.U != vector::zero || old_.U != vector::zero;
+    const bool turns =
+        state_.omega != vector::zero || old_.omega != vector::zero;
+
     for (direction k = 0; k < 3; ++k)
     {
-        force[k] *= freeU_[k] < 0.5 ? space_.translation()[k] : 0;
-        torque[k] *= freeOmega_[k] < 0.5 ? space_.rotation()[k] : 0;
+        const bool along = moves && freeU_[k] < 0.5;
+        const bool about = turns && freeOmega_[k] < 0.5;
+
+        force[k] *= along ? space_.translation()[k] : 0;
+        torque[k] *= about ? space_.rotation()[k] : 0;
     }
 
     const tensor I(inertia(state_));
