@@ -10,10 +10,10 @@ using testTools::dict;
 namespace
 {
 
-const scalar h = 0.125, bandWidth = 3.2;
+const scalar h = 0.08, bandWidth = 3.2;
 
 //- Distance in cells from the surface up to which all that a cell depends on
-//  moves with the body: cells three away, where its frame has not faded yet
+//  moves with the body: cells four away, where its frame has not faded yet
 const scalar inside = -1;
 
 
@@ -31,14 +31,14 @@ class towedSphere
     {
         testTools::boxMesh box;
         box.x = {{
-            testTools::graded(18, 18*h, 1),
-            testTools::graded(16, 16*h, 1),
-            testTools::graded(16, 16*h, 1)
+            testTools::graded(27, 27*h, 1),
+            testTools::graded(24, 24*h, 1),
+            testTools::graded(24, 24*h, 1)
         }};
         box.sides = {{"zz", "zz", "zz"}};
         box.processor = [](const labelVector& i)
         {
-            return Pstream::parRun() && i.x() > 8 ? 1 : 0;
+            return Pstream::parRun() && i.x() > 13 ? 1 : 0;
         };
 
         return box.make(time);
@@ -82,7 +82,8 @@ public:
         regions_[0].update(bodies_[0], search_, bandWidth);
         frame.update
         (
-            regions_, bodies_, bandWidth, ddtCoefficients(scheme, 1, 1)
+            regions_, bodies_, search_, scalarList(1, h), bandWidth, false,
+            ddtCoefficients(scheme, 1, 1)
         );
     }
 
@@ -165,7 +166,8 @@ TEST_CASE("A linear profile that moves with a body is steady to it", "[frame]")
               - added[celli]
             );
 
-            CHECK(mag(rate) < 1e-12);
+            // Differences of high order reach the fade, with small factors
+            CHECK(mag(rate) < 1e-5*mag(V & G));
             ++n;
         }
     }

@@ -1,70 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "comovingDerivative.H"
+#include "surfaceDisplacement.H"
 
 namespace
 {
-    //- Largest distance, in cell sizes, at which the frame moves with the body,
-    //  and the part of it from which on it fades
-    const Foam::scalar maxReach = 4;
+    //- The frame ends where the band does, but not farther away than so many
+    //  cells; farther around bodies of many cells, as it is for the shear
+    //  layers, at a part of the width, within so many cells
+    const Foam::scalar maxBand = 4;
+    const Foam::scalar partOfWidth = 0.4;
+    const Foam::scalar maxReach = 6.4;
+
+    //- The part of the way there from which on it fades
     const Foam::scalar fadeFrom = 0.8;
 
     //- Displacement over the body's width that is none
     const Foam::scalar still = 1e-7;
 
 
-    //- How far a body has turned, and that takes its surface along
-    Foam::quaternion turn
-    (
-        const Foam::immersedBody& body,
-        const Foam::bodyState& before
-    )
+    //- Upper bounds of the displacements of a body's points in the last two
+    //  time steps; none of one that is not resolved
+    Foam::vector farthest(const Foam::immersedBody& body)
     {
-        return body.shape().round()
-          ? Foam::quaternion::I
-          : before.orientation*conjugate(body.state().orientation);
-    }
-
-
-    //- Displacement of the points of a body since another state of it; a round
-    //  one takes its surface along by translation only
-    class displacement
-    {
-        const Foam::point& centre_;
-        const Foam::vector move_;
-        const Foam::tensor back_;
-
-    public:
-
-        displacement
-        (
-            const Foam::immersedBody& body,
-            const Foam::bodyState& before
-        )
-        :
-            centre_(body.state().position),
-            move_(centre_ - before.position),
-            back_(turn(body, before).R())
-        {}
-
-        Foam::vector operator()(const Foam::point& x) const
+        const auto since = [&](const Foam::bodyState& before)
         {
-            const Foam::vector r(x - centre_);
+            return Foam::surfaceDisplacement(body, before)
+                .bound(body.shape().boundingRadius());
+        };
 
-            return move_ + r - (back_ & r);
-        }
-    };
-
-
-    //- The farthest that the surface can have moved since another state
-    Foam::scalar farthest
-    (
-        const Foam::immersedBody& body,
-        const Foam::bodyState& before
-    )
-    {
-        return mag(body.state().position - before.position)
-          + 2*mag(turn(body, before).v())*body.shape().boundingRadius();
+        return body.resolved()
+          ? max(since(body.oldState()), since(body.oldOldState()))
+          : Foam::vector(Foam::Zero);
     }
 }
 
@@ -77,54 +44,34 @@ Foam::comovingDerivative::comovingDerivative
 :
     mesh_(mesh),
     neighbours_(neighbours),
-    coupled_(false),
+    remap_(mesh, neighbours),
     ddt_("Euler", 1, 1),
-    active_(false),
-    delta_(mesh.boundary().size())
-{
-    forAll(delta_, patchi)
-    {
-        if (mesh.boundary()[patchi].coupled())
-        {
-            delta_[patchi] = mesh.boundary()[patchi].delta();
-            coupled_ = true;
-        }
-    }
-    reduce(coupled_, orOp<bool>());
-}
-
-
-bool Foam::comovingDerivative::moves(const immersedBody& body)
-{
-    const scalar far = max
-    (
-        farthest(body, body.oldState()),
-        farthest(body, body.oldOldState())
-    );
-
-    return body.resolved() && far > still*body.shape().width();
-}
+    active_(false)
+{}
 
 
 void Foam::comovingDerivative::add
 (
-    const bodyRegion& region,
     const immersedBody& body,
-    const scalar fadeEnd,
-    const bool known
+    const scalar end,
+    const bool known,
+    const UList<label>& faces,
+    const UList<point>& x,
+    const UList<scalar>& distance,
+    const std::function<scalar(label)>& h
 )
 {
-    const scalar fadeStart = fadeFrom*fadeEnd;
-    const displacement s0(body, body.oldState());
-    const displacement s00(body, body.oldOldState());
+    const scalar fadeStart = fadeFrom*end;
+    const surfaceDisplacement s0(body, body.oldState());
+    const surfaceDisplacement s00(body, body.oldOldState());
 
-    forAll(region.faces, i)
+    forAll(faces, i)
     {
-        const label facei = region.faces[i];
-        const scalar h = region.faceH[i];
-        const scalar d = region.faceDistance[i]/h;
+        const label facei = faces[i];
+        const scalar hi = h(i);
+        const scalar d = distance[i]/hi;
 
-        if (d >= fadeEnd || (known && faceAt_[facei] < 0))
+        if (d >= end || (known && faceAt_[facei] < 0))
         {
             continue;
         }
@@ -139,18 +86,92 @@ void Foam::comovingDerivative::add
         }
 
         // Like the resistance; the one of the nearer body counts
-        const scalar fade = min((fadeEnd - d)/(fadeEnd - fadeStart), 1);
+        const scalar fade = min((end - d)/(end - fadeStart), 1);
         const scalar weight = fade*Foam::exp(-2*max(d, scalar(-20)));
-        const vector move(s0(region.faceX[i]));
+        const vector move(s0(x[i]));
 
         // No farther than a cell
-        const scalar part = fade*weight*min(h/max(mag(move), VSMALL), 1);
+        const scalar part = fade*weight*min(hi/max(mag(move), VSMALL), 1);
         const label at = faceAt_[facei];
 
         s0_[at] += part*move;
-        s00_[at] += part*s00(region.faceX[i]);
+        s00_[at] += part*s00(x[i]);
         weight_[at] += weight;
     }
+}
+
+
+void Foam::comovingDerivative::addBand
+(
+    const bodyRegion& region,
+    const immersedBody& body,
+    const scalar bandWidth,
+    const bool known
+)
+{
+    add
+    (
+        body, min(bandWidth, maxBand), known,
+        region.faces, region.faceX, region.faceDistance,
+        [&](const label i) { return region.faceH[i]; }
+    );
+}
+
+
+void Foam::comovingDerivative::addFarther
+(
+    const label regioni,
+    const bodyRegion& region,
+    const immersedBody& body,
+    const cellSearch& search,
+    const scalar h,
+    const scalar end
+)
+{
+    if (!near_.set(regioni))
+    {
+        near_.set(regioni, new nearFaces);
+    }
+    nearFaces& near = near_[regioni];
+
+    near.update(body, region.shift(), search, end*h);
+    add
+    (
+        body, end, false, near.faces, near.x, near.distance,
+        [&](label) { return h; }
+    );
+}
+
+
+Foam::boolList Foam::comovingDerivative::findMoving
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    boolList moving(bodies.size());
+
+    active_ = false;
+    components_.clear();
+
+    // The same on all processors
+    forAll(bodies, bodyi)
+    {
+        const vector far(farthest(bodies[bodyi]));
+        const scalar none = still*bodies[bodyi].shape().width();
+
+        moving[bodyi] = cmptMax(far) > none;
+        active_ = active_ || moving[bodyi];
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            if (far[k] > none && !components_.found(k))
+            {
+                components_.append(k);
+            }
+        }
+    }
+
+    return moving;
 }
 
 
@@ -158,29 +179,21 @@ void Foam::comovingDerivative::update
 (
     const PtrList<bodyRegion>& regions,
     const PtrList<immersedBody>& bodies,
+    const cellSearch& search,
+    const UList<scalar>& h,
     const scalar bandWidth,
+    const bool images,
     const ddtCoefficients& ddt
 )
 {
     UIndirectList<label>(faceAt_, faces_) = -1;
-    UIndirectList<label>(cellAt_, cells_) = -1;
     faces_.clear();
     s0_.clear();
     s00_.clear();
     weight_.clear();
-    cells_.clear();
-    wide_.clear();
     ddt_ = ddt;
-    active_ = false;
 
-    boolList moving(bodies.size());
-
-    // The same on all processors
-    forAll(bodies, bodyi)
-    {
-        moving[bodyi] = moves(bodies[bodyi]);
-        active_ = active_ || moving[bodyi];
-    }
+    const boolList moving(findMoving(bodies));
 
     if (!active_)
     {
@@ -188,18 +201,34 @@ void Foam::comovingDerivative::update
     }
 
     faceAt_.resize(mesh_.nFaces(), -1);
-    cellAt_.resize(mesh_.nCells(), -1);
+    near_.resize(regions.size());
 
-    const scalar fadeEnd = min(bandWidth, maxReach);
-
-    for (const bool known : {false, true})
+    forAll(regions, i)
     {
-        for (const bodyRegion& region : regions)
+        const label bodyi = regions[i].body();
+
+        if (moving[bodyi])
         {
-            if (moving[region.body()] != known)
+            const immersedBody& body = bodies[bodyi];
+            const scalar end = images
+              ? 0
+              : min(partOfWidth*body.shape().width()/h[bodyi], maxReach);
+
+            if (end > bandWidth)
             {
-                add(region, bodies[region.body()], fadeEnd, known);
+                addFarther(i, regions[i], body, search, h[bodyi], end);
             }
+            else
+            {
+                addBand(regions[i], body, bandWidth, false);
+            }
+        }
+    }
+    for (const bodyRegion& region : regions)
+    {
+        if (!moving[region.body()])
+        {
+            addBand(region, bodies[region.body()], bandWidth, true);
         }
     }
 
@@ -209,52 +238,5 @@ void Foam::comovingDerivative::update
         s00_[i] /= weight_[i];
     }
 
-    findCells();
-}
-
-
-Foam::scalar& Foam::comovingDerivative::at
-(
-    surfaceScalarField& phi,
-    const label facei
-)
-{
-    const polyMesh& mesh = phi.mesh();
-
-    if (mesh.isInternalFace(facei))
-    {
-        return phi[facei];
-    }
-
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const label patchi = patches.patchID()[facei - mesh.nInternalFaces()];
-
-    return phi.boundaryFieldRef()[patchi][facei - patches[patchi].start()];
-}
-
-
-void Foam::comovingDerivative::removeFlux(surfaceScalarField& phi)
-{
-    kept_.resize(faces_.size());
-
-    // The first access to patches would store what is changed here
-    phi.storeOldTimes();
-
-    forAll(faces_, i)
-    {
-        scalar& flux = at(phi, faces_[i]);
-
-        kept_[i] = flux;
-        flux -= (ddt_.c0*s0_[i] - ddt_.c00*s00_[i])
-          & mesh_.faceAreas()[faces_[i]];
-    }
-}
-
-
-void Foam::comovingDerivative::restoreFlux(surfaceScalarField& phi) const
-{
-    forAll(faces_, i)
-    {
-        at(phi, faces_[i]) = kept_[i];
-    }
+    remap_.setFaces(faces_);
 }

@@ -2,22 +2,21 @@
 
 #include "comovingDerivative.H"
 
-void Foam::comovingDerivative::setCombination
+void Foam::comovingDerivative::setMoved
 (
-    const volVectorField& U0,
-    const volVectorField& U00,
-    const vectorField& moved
+    const volVectorField& U,
+    const bool add
 ) const
 {
-    if (!combined_.valid())
+    if (!moved_.valid())
     {
-        combined_.reset
+        moved_.reset
         (
             new volVectorField
             (
                 IOobject
                 (
-                    "oldVelocities",
+                    "movedVelocity",
                     mesh_.time().timeName(),
                     mesh_,
                     IOobject::NO_READ,
@@ -25,27 +24,35 @@ void Foam::comovingDerivative::setCombination
                     false
                 ),
                 mesh_,
-                dimensionedVector(dimAcceleration, Zero)
+                dimensionedVector(dimVelocity, Zero)
             )
         );
     }
 
-    volVectorField& y = combined_();
+    const volVectorField& U0 = U.oldTime();
+    const volVectorField& U00 = ddt_.c00 > 0 ? U0.oldTime() : U0;
+    const scalar c0 = ddt_.c0, c00 = ddt_.c00;
+    volVectorField& y = moved_();
 
-    for (const label celli : wide_)
+    const auto value = [&](const vector& U0, const vector& U00, const vector& y)
     {
-        y[celli] = ddt_.c0*U0[celli] - ddt_.c00*U00[celli];
-    }
+        return add ? c0*U0 - c00*y : U00;
+    };
 
-    forAll(cells_, i)
+    for (const label celli : remap_.stencil())
     {
-        y[cells_[i]] += ddt_.c00*moved[i];
+        y[celli] = value(U0[celli], U00[celli], y[celli]);
 
-        for (const auto& face : neighbours_.onPatches(cells_[i]))
+        for (const auto& face : neighbours_.onPatches(celli))
         {
+            const vector& before =
+                U00.boundaryField()[face.patch][face.face];
+
             y.boundaryFieldRef()[face.patch][face.face] =
-                ddt_.c0*U0.boundaryField()[face.patch][face.face]
-              - ddt_.c00*U00.boundaryField()[face.patch][face.face];
+                value
+                (
+                    U0.boundaryField()[face.patch][face.face], before, before
+                );
         }
     }
 }
@@ -62,48 +69,36 @@ void Foam::comovingDerivative::addOldTimes
         return;
     }
 
-    const volVectorField& U0 = U.oldTime();
-
-    if (ddt_.c00 <= 0)
-    {
-        const vectorField change(swept(s0_, U0));
-
-        forAll(cells_, i)
-        {
-            source[cells_[i]] -= ddt_.c0*change[i];
-        }
-        return;
-    }
-
     // S0 (c0 U0 - c00 S' U00), of which c0 U0 - c00 U00 is in the source: of S'
     // once with the swept volumes, which conserve momentum, once without, for
     // what is moved on by S0
-    const volVectorField& U00 = U0.oldTime();
-    vectorField s(s00_);
+    const labelUList& cells = remap_.cells();
 
-    forAll(s, i)
+    if (ddt_.c00 > 0)
     {
-        s[i] -= s0_[i];
+        vectorField s(s00_);
+
+        forAll(s, i)
+        {
+            s[i] -= s0_[i];
+        }
+        setMoved(U, false);
+
+        const vectorField swept(remap_.move(s, components_, moved_()));
+
+        forAll(cells, i)
+        {
+            source[cells[i]] += ddt_.c00*swept[i];
+        }
     }
 
-    const vectorField before(swept(s, U00));
-    const scalarField volumes(sweptVolume(s));
-    vectorField moved(before.size());
+    setMoved(U, true);
 
-    forAll(cells_, i)
+    const vectorField swept(remap_.move(s0_, components_, moved_()));
+
+    forAll(cells, i)
     {
-        const label celli = cells_[i];
-
-        moved[i] = (before[i] - volumes[i]*U00[celli])/mesh_.V()[celli];
-    }
-
-    setCombination(U0, U00, moved);
-
-    const vectorField change(swept(s0_, combined_()));
-
-    forAll(cells_, i)
-    {
-        source[cells_[i]] += ddt_.c00*before[i] - change[i];
+        source[cells[i]] -= swept[i];
     }
 }
 
@@ -115,20 +110,13 @@ void Foam::comovingDerivative::follow
     volVectorField& gradP
 ) const
 {
-    const scalarField change(swept(s0_, p));
-    const scalarField volumes(sweptVolume(s0_));
-    scalarField& values = p.primitiveFieldRef();
+    vectorField s(s0_);
 
-    forAll(cells_, i)
-    {
-        const label celli = cells_[i];
-
-        values[celli] -= part
-           *(change[i] - volumes[i]*values[celli])/mesh_.V()[celli];
-    }
+    s *= part;
+    remap_.move(s, components_, p);
     p.correctBoundaryConditions();
 
-    UIndirectList<vector>(gradP.primitiveFieldRef(), wide_) =
-        gradients(p, wide_);
+    UIndirectList<vector>(gradP.primitiveFieldRef(), remap_.wideCells()) =
+        remap_.gradients(p);
     gradP.correctBoundaryConditions();
 }

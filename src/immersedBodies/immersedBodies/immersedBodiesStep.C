@@ -115,7 +115,10 @@ void Foam::immersedBodies::updateFrame(const ddtCoefficients& ddt)
     (
         region_.regions(),
         bodies_,
+        region_.search(),
+        h_,
         region_.resistance().bandWidth(),
+        periodicity_.active(),
         ddt
     );
 }
