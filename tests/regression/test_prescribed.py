@@ -93,7 +93,7 @@ def test_least_number_of_iterations(tube, tmp_path):
         tube, tmp_path, "four", SINE,
         "coupling { minOuterCorrectors 4; tolerance 10; }"
     )
-    assert "at most 30 iterations, tolerance 10, at least 4" in log
+    assert "at most 50 iterations, tolerance 10, at least 4" in log
     assert set(re.findall(r"outer iterations (\d+)", log)) == {"4"}
 
 

@@ -34,7 +34,7 @@ def speed(folder, half, ranks=1, across=0):
             velocity    (0.5 {across} 0);
             angularVelocity (0 0 0);
         }}
-    """, "coupling { nOuterCorrectors 40; tolerance 1e-6; }")
+    """, "coupling { nOuterCorrectors 100; tolerance 1e-6; }")
     case.controls(endTime="0.2", deltaT="0.02")
     case.solve(ranks)
     return case.table("motion")["velocity_x"][-1]

@@ -22,10 +22,11 @@ namespace
 
 bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
 {
-    // The first time step of a run has no flux that is extrapolated. In a
-    // window all fluxes change with its velocity, and unresolved bodies act
+    // The first time step of a run has no flux that is extrapolated. What is
+    // combined from several iterations is the pressure of all cells. In a window all fluxes change with its velocity, and unresolved bodies act
     // outside of the bands.
     return uniformViscosity_
+     && !acceleration_.active()
      && !bodies_->window().comoving()
      && !MRF.MRFZoneList::size()
      && !bodies_->nUnresolved()

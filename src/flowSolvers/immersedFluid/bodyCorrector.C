@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "carrierFlow.H"
+#include "fvcGrad.H"
 
 namespace
 {
@@ -9,6 +10,9 @@ namespace
     //  them: most of what an acceleration makes them lag by is gone then, and
     //  the rest would take many more
     const Foam::label lastLoadOuter = 4;
+
+    //- Courant number up to which iterations are accelerated
+    const Foam::scalar maxAccelerated = 2;
 }
 
 
@@ -66,15 +70,24 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
 {
     const bool free = bodies_->anyFree();
 
-    const scalar change = bodies_->correct
+    if (outer_ == 1)
+    {
+        acceleration_.begin();
+    }
+
+    const scalar change = max
     (
-        ddt,
-        tUEqn(),
-        A0_(),
-        U_,
-        drive()(),
-        dU,
-        free && outer_ == 1
+        bodies_->correct
+        (
+            ddt,
+            tUEqn(),
+            A0_(),
+            U_,
+            drive()(),
+            dU,
+            free && outer_ == 1
+        ),
+        acceleration_.jump()
     );
 
     // A body that hardly moves yet is compared with the fluid, one at rest on
@@ -125,4 +138,25 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
 
         lost_ = !(max(change, fastest) < 10*speedScale_);
     }
+
+    // What is combined has no flux: of that which iterations change little
+    if (free && !converged_ && !lost_ && CoNum < maxAccelerated)
+    {
+        acceleration_.watch(outer_, change_);
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::accelerate(const vectorField& changes)
+{
+    if (!acceleration_.active())
+    {
+        return;
+    }
+
+    const vector before(bodies_->window().velocity());
+
+    acceleration_.apply(changes, dU_, *bodies_, p_);
+    gradP_ = fvc::grad(p_);
+    makeRelative(bodies_->window().velocity() - before);
 }

@@ -41,6 +41,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     change_(0),
     speedScale_(0),
     lost_(false),
+    acceleration_(mesh),
     retry_(mesh, runTime_),
     startTime_(mesh.time().value())
 {

@@ -63,22 +63,15 @@ void Foam::flowSolvers::immersedFluid::initialise()
 
         bodies_->setRigidMotion(U_);
         phi_ = fvc::flux(U_);
-        makeRelative();
+        makeRelative(bodies_->window().velocity());
     }
 }
 
 
-void Foam::flowSolvers::immersedFluid::makeRelative()
+void Foam::flowSolvers::immersedFluid::makeRelative(const vector& V)
 {
-    if (bodies_->window().comoving())
+    if (V != vector::zero)
     {
-        const dimensionedVector V
-        (
-            "V",
-            dimVelocity,
-            bodies_->window().velocity()
-        );
-
-        phi_ -= V & mesh_.Sf();
+        phi_ -= dimensionedVector("V", dimVelocity, V) & mesh_.Sf();
     }
 }

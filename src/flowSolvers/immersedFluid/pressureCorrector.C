@@ -235,9 +235,14 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     setGradients(tau.value(), wait);
     holdFlowRate(tau.value());
+
+    const vectorField before(bodies_->velocities());
+
     bodyCorrector(ddt, dU_);
-    makeRelative();
+    makeRelative(bodies_->window().velocity());
     correctVelocity(wait);
+
+    accelerate(bodies_->velocities() - before);
 
     if (!bandsFollow())
     {

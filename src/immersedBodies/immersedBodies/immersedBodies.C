@@ -119,7 +119,7 @@ Foam::immersedBodies::immersedBodies
     proximity_(mesh, periodicity_, contact_()),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
-    nOuterCorrectors_(30),
+    nOuterCorrectors_(50),
     minOuterCorrectors_(1),
     tolerance_(1e-4),
     steady_(dict)

@@ -91,3 +91,65 @@ Foam::scalar Foam::immersedBodies::correct
 
     return change;
 }
+
+
+template<class Function>
+void Foam::immersedBodies::forFree(const Function& f) const
+{
+    forAll(bodies_, bodyi)
+    {
+        if (bodies_[bodyi].isFree() && bodies_[bodyi].resolved())
+        {
+            f(bodyi);
+        }
+    }
+}
+
+
+Foam::vectorField Foam::immersedBodies::velocities() const
+{
+    DynamicList<vector> velocities(2*size());
+
+    forFree([&](const label bodyi)
+    {
+        const Pair<vector> both(bodies_[bodyi].velocitiesWithoutContact());
+
+        velocities.append(both.first());
+        velocities.append(both.second());
+    });
+
+    return vectorField(std::move(velocities));
+}
+
+
+void Foam::immersedBodies::setVelocities(const vectorField& velocities)
+{
+    label i = 0;
+
+    forFree([&](const label bodyi)
+    {
+        bodies_[bodyi].setVelocitiesWithoutContact
+        (
+            Pair<vector>(velocities[i], velocities[i + 1])
+        );
+        i += 2;
+    });
+    window_.follow(bodies_);
+}
+
+
+Foam::vectorField Foam::immersedBodies::velocityWeights() const
+{
+    DynamicList<vector> weights(2*size());
+
+    forFree([&](const label bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+        const tensor I(body.inertia(body.state()));
+
+        weights.append(Foam::sqrt(body.volume())*vector::one);
+        weights.append(vector(sqrt(I.xx()), sqrt(I.yy()), sqrt(I.zz())));
+    });
+
+    return vectorField(std::move(weights));
+}

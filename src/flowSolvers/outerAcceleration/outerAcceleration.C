@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outerAcceleration.H"
+
+namespace
+{
+    //- Iterations that are combined: each holds the pressure once
+    const Foam::label depth = 10;
+
+    //- Iterations that are not combined, and the part of the change that one of
+    //  those after them may leave
+    const Foam::label nPlain = 2;
+    const Foam::scalar slow = 0.5;
+
+    //- Relative change below which linear solvers are seen, not iterations
+    const Foam::scalar noise = 1e-5;
+}
+
+
+Foam::outerAcceleration::outerAcceleration(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    fixedPoint_(depth),
+    first_(true),
+    change_(0),
+    active_(false),
+    jump_(0)
+{}
+
+
+void Foam::outerAcceleration::begin()
+{
+    fixedPoint_.clear();
+    first_ = true;
+    change_ = 0;
+    active_ = false;
+    jump_ = 0;
+}
+
+
+void Foam::outerAcceleration::watch(const label outer, const scalar change)
+{
+    active_ =
+        outer > nPlain
+     && change > noise
+     && (active_ || change > slow*change_);
+    change_ = change;
+
+    if (!active_)
+    {
+        jump_ = 0;
+    }
+}
+
+
+void Foam::outerAcceleration::apply
+(
+    const UList<vector>& changes,
+    const UList<vector>& dU,
+    immersedBodies& bodies,
+    volScalarField& p
+)
+{
+    if (first_)
+    {
+        first_ = false;
+        cells_ = bodies.region().cells();
+    }
+
+    vectorField velocities(bodies.velocities());
+    const vectorField weights(bodies.velocityWeights());
+    const label nBodies = 3*velocities.size();
+    scalarField result(mesh_.nCells() + nBodies);
+    scalarField residual
+    (
+        3*cells_.size() + (Pstream::master() ? nBodies : 0)
+    );
+    label at = 0;
+
+    for (const label celli : cells_)
+    {
+        const vector change(Foam::sqrt(mesh_.V()[celli])*dU[celli]);
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            residual[at++] = change[k];
+        }
+    }
+
+    forAll(velocities, i)
+    {
+        for (direction k = 0; k < 3; ++k)
+        {
+            result[mesh_.nCells() + 3*i + k] = velocities[i][k];
+
+            if (Pstream::master())
+            {
+                residual[at++] = weights[i][k]*changes[i][k];
+            }
+        }
+    }
+    SubField<scalar>(result, mesh_.nCells()) = p.primitiveField();
+
+    fixedPoint_.apply(residual, result);
+
+    p.primitiveFieldRef() = SubField<scalar>(result, mesh_.nCells());
+    p.correctBoundaryConditions();
+
+    jump_ = 0;
+
+    forAll(velocities, i)
+    {
+        const vector before(velocities[i]);
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            velocities[i][k] = result[mesh_.nCells() + 3*i + k];
+        }
+
+        // Those of the centres take turns with those of rotation
+        jump_ = max(jump_, i % 2 ? 0 : mag(velocities[i] - before));
+    }
+    bodies.setVelocities(velocities);
+}

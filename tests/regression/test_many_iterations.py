@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Time steps whose outer iterations would not end by themselves: bodies released
+from rest, and two with a film between them."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+
+from report import Report  # noqa: E402
+
+kissing = Report.load(Path(__file__).parents[1] / "benchmarks/kissing")
+
+
+def all_converge(case, run):
+    assert run.converged == run.steps
+    assert "repeated with deltaT" not in (case.path/"log.foamRun").read_text()
+
+
+@pytest.mark.parametrize("shape, ratio", [
+    ("disc", 0.01), ("disc", 1.01), ("disc", 2), ("sphere", 0.5),
+])
+def test_release(shape, ratio, tmp_path, monkeypatch):
+    """Not within 30 iterations where they are not combined; 58 at ratio 2."""
+    monkeypatch.setattr(kissing, "RELEASED", 3)
+    case, run = kissing.release(tmp_path, shape, ratio)
+    all_converge(case, run)
+    assert run.steps == 3
+    assert max(run.outers) < 40
+
+
+def test_film(tmp_path):
+    """A heavy disc meets the one before it. Each iteration by itself turns their
+    relative velocity round: 45 steps had to be repeated, 20 did not converge."""
+    case, run = kissing.pair(tmp_path, 1.01, 7.5)
+    all_converge(case, run)
+
+    one, other = (case.table("motion", body)["position_y"] for body in (0, 1))
+    assert abs(one - other).min() < 1.01
+    assert run.steps == 125
