@@ -60,6 +60,48 @@ void Foam::sweptRemap::setFaces(const labelUList& faces)
     nWide_ = cells_.size();
 
     widen();
+    findLinks();
+}
+
+
+void Foam::sweptRemap::findLinks()
+{
+    const surfaceScalarField& weights = mesh_.weights();
+    const vectorField& Sf = mesh_.faceAreas();
+    const vectorField& C = mesh_.cellCentres();
+    const scalarField& V = mesh_.V();
+
+    links_.clear();
+    begin_.resize(nWide_ + 1);
+
+    for (label i = 0; i < nWide_; ++i)
+    {
+        const label celli = cells_[i];
+        begin_[i] = links_.size();
+
+        for (const auto& n : neighbours_.of(celli))
+        {
+            const label facei = n.face();
+            const vector area
+            (
+                (n.owner() ? 1 : -1)/V[celli]*Sf[facei]
+            );
+            const scalar w =
+                n.owner() ? 1 - weights[facei] : weights[facei];
+
+            links_.append
+            (
+                link
+                {
+                    cellAt_[n.cell()],
+                    n.cell(),
+                    w*area,
+                    cmptMultiply(area, C[n.cell()] - C[celli])
+                }
+            );
+        }
+    }
+    begin_[nWide_] = links_.size();
 }
 
 
@@ -170,11 +212,13 @@ Foam::Field<Type> Foam::sweptRemap::changes
     sweep(s, k, y, grad, volume, swept);
     sum += swept;
 
+    const scalarField& V = mesh_.V();
+
     for (label i = 0; i < nCells_; ++i)
     {
         const label celli = cells_[i];
 
-        swept[i] = (swept[i] - volume[i]*y[celli])/mesh_.V()[celli];
+        swept[i] = (swept[i] - volume[i]*y[celli])/V[celli];
     }
 
     return swept;

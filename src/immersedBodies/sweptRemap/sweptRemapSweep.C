@@ -10,6 +10,7 @@ Foam::sweptRemap::gradients
 {
     const surfaceScalarField& weights = mesh_.weights();
     const vectorField& Sf = mesh_.faceAreas();
+    const scalarField& V = mesh_.V();
     const List<Type> others(beyond(y.primitiveField()));
     tmp<Field<gradientOf<Type>>> tgrad(new Field<gradientOf<Type>>(n));
     Field<gradientOf<Type>>& grad = tgrad.ref();
@@ -19,13 +20,9 @@ Foam::sweptRemap::gradients
         const label celli = cells_[i];
         gradientOf<Type> sum(Zero);
 
-        for (const auto& n : neighbours_.of(celli))
+        for (label j = begin_[i]; j < begin_[i + 1]; ++j)
         {
-            const label facei = n.face();
-            const scalar w =
-                n.owner() ? 1 - weights[facei] : -weights[facei];
-
-            sum += (w*Sf[facei])*(y[n.cell()] - y[celli]);
+            sum += links_[j].first*(y[links_[j].cell] - y[celli]);
         }
 
         for (const auto& face : neighbours_.onPatches(celli))
@@ -35,13 +32,13 @@ Foam::sweptRemap::gradients
 
             sum += patch.coupled()
               ? ((1 - weights.boundaryField()[face.patch][face.face])
-               *Sf[facei])
+               /V[celli]*Sf[facei])
                *(others[facei - mesh_.nInternalFaces()] - y[celli])
-              : Sf[facei]
+              : (Sf[facei]/V[celli])
                *(y.boundaryField()[face.patch][face.face] - y[celli]);
         }
 
-        grad[i] = sum/mesh_.V()[celli];
+        grad[i] = sum;
     }
 
     return tgrad;
@@ -103,8 +100,8 @@ Foam::Field<Type> Foam::sweptRemap::secondDifferences
     const UList<gradientOf<Type>>& others
 ) const
 {
-    const vectorField& C = mesh_.cellCentres();
     const vectorField& Sf = mesh_.faceAreas();
+    const scalarField& V = mesh_.V();
     Field<Type> b(nCells_, Zero);
 
     forAll(b, i)
@@ -113,13 +110,15 @@ Foam::Field<Type> Foam::sweptRemap::secondDifferences
         const Type here(row(grad[i], k));
         bool atPatch = false;
 
-        for (const auto& n : neighbours_.of(celli))
+        for (label j = begin_[i]; j < begin_[i + 1]; ++j)
         {
-            // Both are reversed, or none, as seen from the other cell
-            const scalar part = Sf[n.face()][k]*(C[n.cell()] - C[celli])[k]
-               *(n.owner() ? 1 : -1);
+            const scalar part = links_[j].second[k];
 
-            b[i] += part*(row(grad[cellAt_[n.cell()]], k) - here);
+            // None of most faces of meshes along the axes
+            if (part != 0)
+            {
+                b[i] += part*(row(grad[links_[j].place], k) - here);
+            }
         }
 
         for (const auto& face : neighbours_.onPatches(celli))
@@ -129,7 +128,7 @@ Foam::Field<Type> Foam::sweptRemap::secondDifferences
 
             if (patch.coupled())
             {
-                b[i] += (Sf[facei][k]*delta_[face.patch][face.face][k])
+                b[i] += Sf[facei][k]*delta_[face.patch][face.face][k]/V[celli]
                    *(row(others[facei - mesh_.nInternalFaces()], k) - here);
             }
             else
@@ -141,10 +140,6 @@ Foam::Field<Type> Foam::sweptRemap::secondDifferences
         if (atPatch)
         {
             b[i] = Zero;
-        }
-        else
-        {
-            b[i] /= mesh_.V()[celli];
         }
     }
 
