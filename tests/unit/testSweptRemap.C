@@ -86,7 +86,7 @@ public:
     {
         const scalarField sum
         (
-            remap_.move(vectorField(faces_.size(), s), {0, 1}, y)
+            remap_.move(vectorField(faces_.size(), s), {0, 1}, true, y)
         );
 
         return gSum(sum);

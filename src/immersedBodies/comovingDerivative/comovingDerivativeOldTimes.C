@@ -84,7 +84,10 @@ void Foam::comovingDerivative::addOldTimes
         }
         setMoved(U, false);
 
-        const vectorField swept(remap_.move(s, components_, moved_()));
+        const vectorField swept
+        (
+            remap_.move(s, components_, true, moved_())
+        );
 
         forAll(cells, i)
         {
@@ -94,7 +97,7 @@ void Foam::comovingDerivative::addOldTimes
 
     setMoved(U, true);
 
-    const vectorField swept(remap_.move(s0_, components_, moved_()));
+    const vectorField swept(remap_.move(s0_, components_, true, moved_()));
 
     forAll(cells, i)
     {
@@ -110,10 +113,17 @@ void Foam::comovingDerivative::follow
     volVectorField& gradP
 ) const
 {
-    vectorField s(s0_);
+    const scalarField before(p, remap_.cells());
 
-    s *= part;
-    remap_.move(s, components_, p);
+    // It bends at surfaces, where sixth order makes it uneven
+    remap_.move(s0_, components_, false, p);
+
+    forAll(before, i)
+    {
+        scalar& value = p[remap_.cells()[i]];
+
+        value = before[i] + part*(value - before[i]);
+    }
     p.correctBoundaryConditions();
 
     UIndirectList<vector>(gradP.primitiveFieldRef(), remap_.wideCells()) =

@@ -203,13 +203,14 @@ Foam::Field<Type> Foam::sweptRemap::changes
     const direction k,
     const GeometricField<Type, fvPatchField, volMesh>& y,
     const UList<gradientOf<Type>>& grad,
+    const bool smooth,
     Field<Type>& sum
 ) const
 {
     scalarField volume(nCells_);
     Field<Type> swept(nCells_);
 
-    sweep(s, k, y, grad, volume, swept);
+    sweep(s, k, y, grad, smooth, volume, swept);
     sum += swept;
 
     const scalarField& V = mesh_.V();
@@ -230,6 +231,7 @@ Foam::Field<Type> Foam::sweptRemap::move
 (
     const UList<vector>& s,
     const List<direction>& components,
+    const bool smooth,
     GeometricField<Type, fvPatchField, volMesh>& y
 ) const
 {
@@ -240,7 +242,7 @@ Foam::Field<Type> Foam::sweptRemap::move
 
     forAll(alone, i)
     {
-        alone[i] = changes(s, components[i], y, grad, sum);
+        alone[i] = changes(s, components[i], y, grad, smooth, sum);
     }
     if (n == 1)
     {
@@ -263,8 +265,10 @@ Foam::Field<Type> Foam::sweptRemap::move
     forAll(together, i)
     {
         carryOthers(0.5, i);
-        together[i] =
-            changes(s, components[i], y, gradients(y, nWide_)(), sum);
+        together[i] = changes
+        (
+            s, components[i], y, gradients(y, nWide_)(), smooth, sum
+        );
         carryOthers(-0.5, i);
     }
     for (const Field<Type>& changes : together)
@@ -283,6 +287,7 @@ template Foam::scalarField Foam::sweptRemap::move
 (
     const UList<vector>&,
     const List<direction>&,
+    const bool,
     volScalarField&
 ) const;
 
@@ -290,5 +295,6 @@ template Foam::vectorField Foam::sweptRemap::move
 (
     const UList<vector>&,
     const List<direction>&,
+    const bool,
     volVectorField&
 ) const;

@@ -154,6 +154,7 @@ void Foam::sweptRemap::sweep
     const direction k,
     const GeometricField<Type, fvPatchField, volMesh>& y,
     const UList<gradientOf<Type>>& grad,
+    const bool smooth,
     scalarField& volume,
     Field<Type>& swept
 ) const
@@ -164,7 +165,12 @@ void Foam::sweptRemap::sweep
 
     const List<Type> otherY(beyond(y.primitiveField()));
     const List<gradientOf<Type>> otherGrad(beyondCells(grad));
-    const Field<Type> b(secondDifferences<Type>(k, grad, otherGrad));
+    const Field<Type> b
+    (
+        smooth
+      ? secondDifferences<Type>(k, grad, otherGrad)
+      : Field<Type>(nCells_, Zero)
+    );
     const List<Type> otherB(beyondCells(b));
 
     volume = 0;
