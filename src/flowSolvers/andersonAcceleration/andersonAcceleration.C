@@ -2,6 +2,7 @@
 
 #include "andersonAcceleration.H"
 #include "SVD.H"
+#include "compat.H"
 
 namespace
 {
@@ -50,7 +51,7 @@ Foam::scalarField Foam::andersonAcceleration::coefficients
                 sumProd(dResidual_[i], j < n_ ? dResidual_[j] : residual);
         }
     }
-    reduce(products, sumOp<scalarField>());
+    compat::allReduce(products, plusEqOp<scalar>());
 
     const auto product = [&](const label i, const label j)
     {
