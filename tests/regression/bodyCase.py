@@ -24,6 +24,18 @@ PATCHES = {
     "box": {"walls": "x- x+ y- y+ z- z+"},
 }
 
+GRAVITY = """FoamFile
+{{
+    version     2.0;
+    format      ascii;
+    class       uniformDimensionedVectorField;
+    object      g;
+}}
+
+dimensions      [0 1 -2 0 0 0 0];
+value           ({:.15g} {:.15g} {:.15g});
+"""
+
 TABLES = {"motion": "immersedBodyMotion", "forces": "immersedBodyForces"}
 
 
@@ -58,6 +70,26 @@ class BodyCase(FoamCase):
         text = path.read_text()
         assert text.count(old) == 1, f"'{old}' in {path}"
         path.write_text(text.replace(old, new))
+
+    def conditions(self, U, p):
+        """Conditions of the patches, all of them, in 0/U and 0/p."""
+        for field, text in (("U", U), ("p", p)):
+            path = self.path / "0" / field
+            head = path.read_text().split("boundaryField", 1)[0]
+            path.write_text(f"{head}boundaryField\n{{{text}}}\n")
+
+    def gravity(self, x=0, y=0, z=0):
+        """Write constant/g."""
+        (self.path / "constant/g").write_text(GRAVITY.format(x, y, z))
+
+    def set_cyclic(self, *patches):
+        """Make two patches, so far of type patch, one another's continuation.
+        Before blockMesh, the conditions of the fields are left."""
+        for one, other in (patches, reversed(patches)):
+            self.replace(
+                "system/blockMeshDict", f"    {one} {{ type patch;",
+                f"    {one} {{ type cyclic; neighbourPatch {other};",
+            )
 
     def set_symmetry(self, patch):
         """Make a patch, so far of type patch, a plane of symmetry. Before

@@ -15,17 +15,6 @@ from boxMesh import graded
 
 RADIUS, HEIGHT = 0.2, -0.3
 SHARE = 0.7     # of a period or turn, where nothing is close to a zero
-GRAVITY = """FoamFile
-{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           (5 0 0);
-"""
 
 
 def set_scheme(case, scheme):
@@ -73,7 +62,7 @@ def disc_case(
     )
     case.replace("constant/transportProperties", "0.5;", f"{nu};")
     if gravity:
-        (case.path / "constant/g").write_text(GRAVITY)
+        case.gravity(5)
     case.bodies(f"""
         disc
         {{

@@ -5,34 +5,14 @@ cells: rapeseed as in a seed drill."""
 import math
 
 import boxMesh
+import stream
 from bodyCase import BodyCase
 from boxMesh import uniform
 
 RHO, MU = 1.2, 1.81e-5          # air [kg/m3], [Pa s]
 G = 9.81
 
-U = """
-    inlet   { type fixedValue; value uniform (0 0 0); }
-    outlet  { type zeroGradient; }
-    sides   { type slip; }
-"""
-P = """
-    inlet   { type zeroGradient; }
-    outlet  { type fixedValue; value uniform 0; }
-    sides   { type slip; }
-"""
 PATCHES = {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"}
-GRAVITY = """FoamFile
-{{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           ({} {} {});
-"""
 
 
 def standard_drag(Re):
@@ -57,18 +37,6 @@ def terminal_velocity(D, rho_p, rho=RHO, mu=MU, drag=standard_drag):
     return V
 
 
-def set_fields(case, conditions_U, conditions_p):
-    """Boundary conditions of 0/U and 0/p."""
-    for field, conditions in (("U", conditions_U), ("p", conditions_p)):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
-
-
-def set_gravity(case, x=0.0, y=0.0, z=0.0):
-    (case.path / "constant/g").write_text(GRAVITY.format(x, y, z))
-
-
 def set_viscosity(case, nu):
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
 
@@ -91,7 +59,7 @@ def falling_grain(
     in cells. Returns the case and its number of cells."""
     h = D/cells
     case = BodyCase("tube", folder, name)
-    set_fields(case, U, P)
+    case.conditions(stream.velocity(0), stream.P)
     across = uniform(-0.5*width*h, 0.5*width*h, width)
     n = boxMesh.write(
         case, uniform(-behind*h, ahead*h, ahead + behind), across, across,
@@ -100,7 +68,7 @@ def falling_grain(
     case.run("blockMesh")
     set_viscosity(case, MU/RHO)
     set_upwind(case)
-    set_gravity(case, G)
+    case.gravity(G)
     case.replace(
         "system/fvSolution", "GAMG;\n        smoother        GaussSeidel",
         "fastPoisson",

@@ -51,18 +51,13 @@ def periodic_tube(folder, name, cells=16, force=None, speed=None):
     boxMesh.write(
         case, uniform(0, 2, 2*cells), uniform(-0.5, 0.5, cells), None, SIDES
     )
-    for one, other in (("left", "right"), ("right", "left")):
-        case.replace(
-            "system/blockMeshDict", f"    {one} {{ type patch;",
-            f"    {one} {{ type cyclic; neighbourPatch {other};",
-        )
+    case.set_cyclic("left", "right")
     case.run("blockMesh")
-    for field, walls in (("U", "noSlip"), ("p", "zeroGradient")):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        head = head.replace("uniform (0 0 0)", "uniform (1 0 0)")
-        conditions = BOUNDARY.format(walls=walls)
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
+    case.replace("0/U", "uniform (0 0 0);\nboundary",
+                 "uniform (1 0 0);\nboundary")
+    case.conditions(
+        BOUNDARY.format(walls="noSlip"), BOUNDARY.format(walls="zeroGradient")
+    )
     if force is not None:
         text = FORCE.format(force=force)
     else:

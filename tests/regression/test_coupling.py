@@ -8,7 +8,7 @@ import pytest
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
-from fallingGrain import falling_grain, set_fields, set_gravity, set_viscosity
+from fallingGrain import falling_grain, set_viscosity
 from foamCase import FoamError
 
 ENDS = {"ends": "x- x+", "sides": "y- y+ z- z+"}
@@ -43,7 +43,7 @@ def set_solver(case):
 def duct(folder, bodies, before, end=1.0, dt=0.05, name="duct"):
     """A duct 2 long, of cells of 0.1, with a flow of speed 1 along x."""
     case = BodyCase("tube", folder, name)
-    set_fields(case, DUCT_U, DUCT_P)
+    case.conditions(DUCT_U, DUCT_P)
     case.replace("0/U", "uniform (0 0 0);\nboundary",
                  "uniform (1 0 0);\nboundary")
     side = uniform(-0.4, 0.4, 8)
@@ -69,7 +69,7 @@ def through(tmp_path_factory):
     """A grain that crosses a part of the mesh with five cells to its
     diameter, between parts with one, on one and two ranks."""
     case = BodyCase("tube", tmp_path_factory.mktemp("through"))
-    set_fields(case, ENDS_U, ENDS_P)
+    case.conditions(ENDS_U, ENDS_P)
     side = uniform(-2, 2, 20)
     boxMesh.write(
         case, [-8, (6, 10, 0.2), (4, 20, 1), (6, 10, 5)], side, side, ENDS

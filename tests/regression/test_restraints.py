@@ -13,17 +13,7 @@ from boxMesh import uniform
 
 RADIUS, DEPTH, DT = 0.25, 0.1, 0.02
 VOLUME = math.pi*RADIUS**2*DEPTH
-GRAVITY = """FoamFile
-{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}
-dimensions  [0 1 -2 0 0 0 0];
-value       (0.3 -0.5 0);
-"""
-NONE = GRAVITY.replace("0.3 -0.5", "0 0")
+G = 0.3, -0.5
 FREE_ACROSS = "constraints { translate (0 1 0); rotate (0 0 0); }"
 
 
@@ -53,7 +43,7 @@ def run(square, tmp_path, name, entries, *, steps=10, g=False, rho=1):
             {entries}
         }}
     """, f"rho {rho};")
-    (case.path / "constant/g").write_text(GRAVITY if g else NONE)
+    case.gravity(*(G if g else ()))
     case.controls(endTime=f"{steps*DT:.6g}", deltaT=str(DT))
     log = case.solve()
     return case.table("motion"), log

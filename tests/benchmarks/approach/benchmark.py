@@ -64,11 +64,8 @@ def make_case(folder, shape, pair, cells):
         "wallBelow": "x-", "outlet": "x+", "sides": "y+" if flat else "y+ z+",
         **{plane: plane[-1].lower() + "-" for plane in planes},
     }
-    for field, conditions in (("U", U), ("p", P)):
-        path = case.path/"0"/field
-        head = path.read_text().split("boundaryField", 1)[0]
-        empty = "frontAndBack { type empty; }" if flat else ""
-        path.write_text(f"{head}boundaryField\n{{{conditions}{empty}}}\n")
+    empty = "frontAndBack { type empty; }" if flat else ""
+    case.conditions(U + empty, P + empty)
 
     width, core = 15 if flat else 4, h*round(1.8/h)
     across = graded(0, width, (0, h*round(0.75/h)), h)

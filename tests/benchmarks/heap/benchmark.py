@@ -28,17 +28,6 @@ ENERGY = """
         writePrecision  12;
     }
 """
-GRAVITY = """FoamFile
-{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           (0 -1 0);
-"""
 
 
 def grains(number, width):
@@ -75,7 +64,7 @@ def make_case(folder, number):
         "fastPoisson",
     )
     case.replace("constant/transportProperties", "0.1;", "0.001;")
-    (case.path/"constant/g").write_text(GRAVITY)
+    case.gravity(0, -1)
     case.replace("system/controlDict", "functions\n{", f"functions\n{{{ENERGY}")
     case.bodies(
         grains(number, n),

@@ -10,7 +10,6 @@ from bodyCase import BodyCase
 from boxMesh import graded, uniform
 from freeRun import why
 from measure import Run, set_direct, set_viscosity
-from unbounded import set_conditions, set_gravity
 
 CELLS, GALILEI, STEP = 8, 50, 0.06
 H = 1/CELLS
@@ -35,14 +34,14 @@ def make_case(folder, name, ratio, mesh, walls):
     """A closed box of fluid at rest, gravity along -y; its number of cells."""
     case = BodyCase("tube", folder, name.replace(" ", "_"))
     flat = len(mesh) == 2
-    set_conditions(case, *(
+    case.conditions(*(
         text if flat else text.split('"')[0] for text in (U, P)
     ))
     n = boxMesh.write(case, *mesh, patches={"walls": walls})
     case.run("blockMesh")
     set_viscosity(case, 1/GALILEI)
     set_direct(case)
-    set_gravity(case, 0, -1/abs(ratio - 1) if ratio != 1 else 0)
+    case.gravity(0, -1/abs(ratio - 1) if ratio != 1 else 0)
     return case, n
 
 

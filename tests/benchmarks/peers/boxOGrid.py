@@ -126,6 +126,7 @@ def write(case, x, y, half, h):
 class BoxCase(FoamCase):
     """A cylinder in a box; conditions of 0/U and 0/p are to be set."""
 
+    conditions = BodyCase.conditions
     replace = BodyCase.replace
     controls = BodyCase.controls
 

@@ -37,17 +37,11 @@ def make_case(folder, name, cells):
     case = BodyCase("tube", folder, name)
     side = uniform(0, 1, round(cells/DIAMETER))
     n = boxMesh.write(case, side, side, None, SIDES)
-    for one, other in (("left", "right"), ("right", "left")):
-        case.replace(
-            "system/blockMeshDict", f"    {one} {{ type patch;",
-            f"    {one} {{ type cyclic; neighbourPatch {other};",
-        )
+    case.set_cyclic("left", "right")
     case.run("blockMesh")
-    for field, walls in (("U", "noSlip"), ("p", "zeroGradient")):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        conditions = BOUNDARY.format(walls=walls)
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
+    case.conditions(
+        BOUNDARY.format(walls="noSlip"), BOUNDARY.format(walls="zeroGradient")
+    )
     case.replace(
         "system/setExprFieldsDict", "1.5*(1 - sqr(pos().y()))", PROFILE
     )

@@ -6,11 +6,12 @@ import math
 import numpy as np
 
 import boxMesh
+import stream
 from bodyCase import BodyCase
 from boxMesh import graded
 from measure import DEPTH, Run, set_direct, set_viscosity
 from peers.boxOGrid import BoxCase
-from unbounded import mean_and_amplitude, set_conditions, whole_periods
+from periods import mean_and_amplitude, whole_periods
 
 # Re, alpha: C_D, C_L, amplitude of C_D, of C_L, St
 REFERENCES = {
@@ -25,16 +26,7 @@ HALF = 0.75     # of the square that the O-grid fills
 # Re of a sphere: C_D, C_L, end
 SPHERES = {100: (1.087, 0, 30), 250: (0.70, 0.062, 80)}
 
-U = """
-    inlet   { type fixedValue; value uniform (1 0 0); }
-    outlet  { type zeroGradient; }
-    sides   { type slip; }
-"""
-P = """
-    inlet   { type zeroGradient; }
-    outlet  { type fixedValue; value uniform 0; }
-    sides   { type slip; }
-"""
+U, P = stream.velocity(1), stream.P
 EMPTY = "frontAndBack { type empty; }\n"
 PATCHES = {"inlet": "x-", "outlet": "x+", "sides": "y- y+"}
 PEER_U = """
@@ -116,7 +108,7 @@ def body_fitted(folder, Re, alpha, cells):
         folder, f"fitted {name} D{cells}".replace(" ", "_"),
         *directions(h), HALF, h,
     )
-    set_conditions(case, U + EMPTY + PEER_U.format(2*alpha), P + EMPTY + PEER_P)
+    case.conditions(U + EMPTY + PEER_U.format(2*alpha), P + EMPTY + PEER_P)
     case.replace("constant/transportProperties", "1e-3;", f"{1/Re:.12g};")
     start(case, h)
     result = case.solve(name)
@@ -128,7 +120,7 @@ def immersed(folder, Re, alpha, cells):
     """Rows of our solver."""
     h, name = 1/cells, name_of(Re, alpha)
     case = BodyCase("tube", folder, f"{name} D{cells}".replace(" ", "_"))
-    set_conditions(case, U + EMPTY, P + EMPTY)
+    case.conditions(U + EMPTY, P + EMPTY)
     n = boxMesh.write(case, *directions(h), patches=PATCHES)
     case.run("blockMesh")
     set_viscosity(case, 1/Re)
@@ -163,7 +155,7 @@ def sphere(folder, Re, cells):
     h = 1/cells
     C_D, C_L, end = SPHERES[Re]
     case = BodyCase("tube", folder, f"sphere_Re{Re}_D{cells}")
-    set_conditions(case, U, P)
+    case.conditions(U, P)
     core = h*round(1/h)
     n = boxMesh.write(
         case, graded(-8, 16, (-core, 2*core), h, 1.1),

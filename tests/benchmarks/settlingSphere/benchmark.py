@@ -6,6 +6,7 @@ import math
 import numpy as np
 
 import boxMesh
+import stream
 from bodyCase import BodyCase
 from boxMesh import graded
 from measure import Run, set_viscosity
@@ -22,17 +23,7 @@ CHANGES = {
     "half the time step": {"courant": 0.5},
 }
 
-# Sides of the box slip; the sphere falls along x, fluid ahead is at rest
-U = """
-    inlet   { type fixedValue; value uniform (0 0 0); }
-    outlet  { type zeroGradient; }
-    sides   { type slip; }
-"""
-P = """
-    inlet   { type zeroGradient; }
-    outlet  { type fixedValue; value uniform 0; }
-    sides   { type slip; }
-"""
+# The sphere falls along x, fluid ahead is at rest
 PATCHES = {
     True: {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"},
     False: {
@@ -40,25 +31,6 @@ PATCHES = {
         "middleY": "y-", "middleZ": "z-",
     },
 }
-GRAVITY = """FoamFile
-{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           (1 0 0);
-"""
-
-
-def set_boundaries(case):
-    """Conditions of the box in 0/U and 0/p."""
-    for field, conditions in (("U", U), ("p", P)):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
 
 
 def make_mesh(case, h, ahead, behind, whole):
@@ -77,10 +49,10 @@ def solve(folder, name, cells, ahead, behind, courant, end, whole=False):
     """Velocity over sqrt((r - 1) g D) by time step, and the run."""
     h = 1/cells
     case = BodyCase("tube", folder, f"{name}_D{cells}".replace(" ", "_"))
-    set_boundaries(case)
+    case.conditions(stream.velocity(0), stream.P)
     n = make_mesh(case, h, ahead, behind, whole)
     set_viscosity(case, SCALE/GALILEI)
-    (case.path / "constant/g").write_text(GRAVITY)
+    case.gravity(1)
     case.bodies(f"""
         sphere
         {{

@@ -6,10 +6,11 @@ import math
 import numpy as np
 
 import boxMesh
+import stream
 from bodyCase import BodyCase
 from boxMesh import graded
 from measure import Run, set_direct, set_viscosity
-from unbounded import set_conditions, set_gravity, whole_periods
+from periods import whole_periods
 
 RATIO = 1.5
 G = 1/(RATIO - 1)       # D = 1, u_g = 1
@@ -28,17 +29,6 @@ WINDOW = """
 """
 OSCILLATE = 190, 250
 
-# Fluid ahead is at rest
-U = """
-    inlet   { type fixedValue; value uniform (0 0 0); }
-    outlet  { type zeroGradient; }
-    sides   { type slip; }
-"""
-P = """
-    inlet   { type zeroGradient; }
-    outlet  { type fixedValue; value uniform 0; }
-    sides   { type slip; }
-"""
 PATCHES = {"inlet": "x+", "outlet": "x-", "sides": "y- y+ z- z+"}
 
 
@@ -66,11 +56,12 @@ def solve(folder, galilei, cells, end, growth):
     across = np.array([math.sin(angle), math.cos(angle)])
     start = V*down + kick*across
     case = BodyCase("tube", folder, f"Ga{galilei}_D{cells}")
-    set_conditions(case, U, P)
+    # Fluid ahead is at rest
+    case.conditions(stream.velocity(0), stream.P)
     n = make_mesh(case, h, growth)
     set_viscosity(case, 1/galilei)
     set_direct(case)
-    set_gravity(case, *(G*down))
+    case.gravity(*(G*down))
     case.bodies(f"""
         sphere
         {{

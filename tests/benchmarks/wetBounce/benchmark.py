@@ -40,17 +40,6 @@ PATCHES = {
     "wallBelow": "x-", "outlet": "x+", "sides": "y+ z+",
     "middleY": "y-", "middleZ": "z-",
 }
-GRAVITY = """FoamFile
-{{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           ({:.6g} 0 0);
-"""
 
 
 def gravity(reynolds, ratio):
@@ -63,10 +52,7 @@ def make_case(folder, name, stokes, cells, courant, contact, film, ratio):
     """The case, and its number of cells."""
     h, reynolds = 1/cells, 9*stokes/ratio
     case = BodyCase("tube", folder, f"{name}_D{cells}".translate(SAFE))
-    for field, conditions in (("U", U), ("p", P)):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
+    case.conditions(U, P)
 
     core = h*round(0.75/h)
     across = graded(0, 0.5*WIDTH, (0, core), h)
@@ -77,9 +63,7 @@ def make_case(folder, name, stokes, cells, courant, contact, film, ratio):
     case.run("blockMesh")
 
     set_viscosity(case, 1/reynolds)
-    (case.path / "constant/g").write_text(
-        GRAVITY.format(gravity(reynolds, ratio))
-    )
+    case.gravity(gravity(reynolds, ratio))
     case.bodies(f"""
         sphere
         {{

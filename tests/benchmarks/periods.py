@@ -1,32 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What benchmarks of bodies in a wide box share: conditions at its sides, gravity
-and figures of a signal that oscillates."""
+"""Periods, means and amplitudes of a signal that oscillates."""
 
 import numpy as np
-
-GRAVITY = """FoamFile
-{{
-    version     2.0;
-    format      ascii;
-    class       uniformDimensionedVectorField;
-    object      g;
-}}
-
-dimensions      [0 1 -2 0 0 0 0];
-value           ({:.12g} {:.12g} 0);
-"""
-
-
-def set_conditions(case, U, p):
-    """Conditions of all patches but frontAndBack in 0/U and 0/p."""
-    for field, conditions in (("U", U), ("p", p)):
-        path = case.path / "0" / field
-        head = path.read_text().split("boundaryField", 1)[0]
-        path.write_text(f"{head}boundaryField\n{{{conditions}}}\n")
-
-
-def set_gravity(case, x, y=0):
-    (case.path / "constant/g").write_text(GRAVITY.format(x, y))
 
 
 def rises(signal):
