@@ -49,7 +49,13 @@ public:
     comovingDerivative frame;
     volVectorField U;
 
-    towedSphere(const vector& move, const word& scheme)
+    //- nu: viscosity [m2/s]; by default so low that the frame moves along
+    towedSphere
+    (
+        const vector& move,
+        const word& scheme,
+        const scalar nu = 1e-6
+    )
     :
         time_(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none"),
         mesh_(makeMesh(time_)),
@@ -83,7 +89,7 @@ public:
         frame.update
         (
             regions_, bodies_, search_, scalarList(1, h), bandWidth, false,
-            ddtCoefficients(scheme, 1, 1)
+            nu, ddtCoefficients(scheme, 1, 1)
         );
     }
 
@@ -273,4 +279,40 @@ TEST_CASE("Of a body at rest there is no frame", "[frame]")
 {
     CHECK(!towedSphere(vector::zero, "backward").frame.active());
     CHECK(towedSphere({0.1*h, 0, 0}, "backward").frame.active());
+}
+
+
+TEST_CASE("A slow body has no frame, a faster one a part of it", "[frame]")
+{
+    // Cell Reynolds number, and the part
+    const std::vector<std::pair<scalar, scalar>> parts
+    {
+        {0.09, 0}, {0.11, 0.01/0.15}, {0.175, 0.5}, {0.26, 1}
+    };
+    const vector V(0.2*h, 0, 0);
+
+    for (const auto& part : parts)
+    {
+        towedSphere sphere(V, "Euler", V.x()*h/part.first);
+        surfaceScalarField phi
+        (
+            "phi",
+            sphere.mesh().magSf()
+           *dimensionedScalar(dimVelocity, Zero)
+        );
+        scalar largest = 0;
+
+        INFO("V h/nu = " << part.first);
+        CHECK(sphere.frame.active() == (part.second > 0));
+
+        sphere.frame.removeFlux(phi);
+        forAll(phi, facei)
+        {
+            largest =
+                max(largest, mag(phi[facei])/sphere.mesh().magSf()[facei]);
+        }
+        reduce(largest, maxOp<scalar>());
+
+        CHECK(largest == Approx(part.second*V.x()).margin(1e-12));
+    }
 }

@@ -23,7 +23,8 @@ namespace
 bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
 {
     // The first time step of a run has no flux that is extrapolated. What is
-    // combined from several iterations is the pressure of all cells. In a window all fluxes change with its velocity, and unresolved bodies act
+    // combined from several iterations is the pressure of all cells. In a
+    // window all fluxes change with its velocity, and unresolved bodies act
     // outside of the bands.
     return uniformViscosity_
      && !acceleration_.active()

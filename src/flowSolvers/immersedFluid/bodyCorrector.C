@@ -70,11 +70,6 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
 {
     const bool free = bodies_->anyFree();
 
-    if (outer_ == 1)
-    {
-        acceleration_.begin();
-    }
-
     const scalar change = max
     (
         bodies_->correct
@@ -140,10 +135,14 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     }
 
     // What is combined has no flux: of that which iterations change little
-    if (free && !converged_ && !lost_ && CoNum < maxAccelerated)
-    {
-        acceleration_.watch(outer_, change_);
-    }
+    const bool more =
+        !converged_ && !lost_ && outer_ < bodies_->nOuterCorrectors();
+
+    acceleration_.watch
+    (
+        outer_,
+        free && more && CoNum < maxAccelerated ? change_ : 0
+    );
 }
 
 

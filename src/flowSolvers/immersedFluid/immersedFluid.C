@@ -126,6 +126,7 @@ void Foam::flowSolvers::immersedFluid::preSolve()
     {
         flowRate_->beginStep();
     }
+    acceleration_.begin();
 
     outer_ = 0;
     converged_ = false;

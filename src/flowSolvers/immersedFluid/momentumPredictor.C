@@ -208,9 +208,10 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     endWait(1/ddt.c);
 
+    clearMomentum();
     if (!stokes_)
     {
-        bodies_->updateFrame(ddt);
+        bodies_->updateFrame(ddt, viscosity());
     }
     if (outer_ == 1)
     {
@@ -219,7 +220,6 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         extrapolatePressure();
     }
 
-    clearMomentum();
     tUEqn = assembleMomentum();
     bodies_->addUnresolved(force_);
     A0_ = tUEqn().A();

@@ -42,6 +42,7 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
         pending_->cancel();
     }
 
+    acceleration_.begin();
     outer_ = 1;
     converged_ = false;
     change_ = 0;

@@ -117,8 +117,14 @@ void Foam::outerAcceleration::apply
             velocities[i][k] = result[mesh_.nCells() + 3*i + k];
         }
 
-        // Those of the centres take turns with those of rotation
-        jump_ = max(jump_, i % 2 ? 0 : mag(velocities[i] - before));
+        // Those of rotation follow those of the centre, as what they move the
+        // body by
+        jump_ = max
+        (
+            jump_,
+            mag(cmptMultiply(weights[i], velocities[i] - before))
+           /weights[i - i % 2].x()
+        );
     }
     bodies.setVelocities(velocities);
 }

@@ -15,23 +15,23 @@ namespace
     //- The part of the way there from which on it fades
     const Foam::scalar fadeFrom = 0.8;
 
-    //- Displacement over the body's width that is none
+    //- Component of a displacement over the body's width that is none
     const Foam::scalar still = 1e-7;
 
+    //- V h/nu up to which a body has no frame, and from which on all of it
+    const Foam::scalar slow = 0.1;
+    const Foam::scalar fast = 0.25;
 
-    //- Upper bounds of the displacements of a body's points in the last two
-    //  time steps; none of one that is not resolved
-    Foam::vector farthest(const Foam::immersedBody& body)
+
+    //- Upper bounds of the displacements of a body's points since another state
+    Foam::vector farthest
+    (
+        const Foam::immersedBody& body,
+        const Foam::bodyState& before
+    )
     {
-        const auto since = [&](const Foam::bodyState& before)
-        {
-            return Foam::surfaceDisplacement(body, before)
-                .bound(body.shape().boundingRadius());
-        };
-
-        return body.resolved()
-          ? max(since(body.oldState()), since(body.oldOldState()))
-          : Foam::vector(Foam::Zero);
+        return Foam::surfaceDisplacement(body, before)
+            .bound(body.shape().boundingRadius());
     }
 }
 
@@ -53,6 +53,7 @@ Foam::comovingDerivative::comovingDerivative
 void Foam::comovingDerivative::add
 (
     const immersedBody& body,
+    const scalar bodyPart,
     const scalar end,
     const bool known,
     const UList<label>& faces,
@@ -91,7 +92,8 @@ void Foam::comovingDerivative::add
         const vector move(s0(x[i]));
 
         // No farther than a cell
-        const scalar part = fade*weight*min(hi/max(mag(move), VSMALL), 1);
+        const scalar part =
+            bodyPart*fade*weight*min(hi/max(mag(move), VSMALL), 1);
         const label at = faceAt_[facei];
 
         s0_[at] += part*move;
@@ -111,7 +113,7 @@ void Foam::comovingDerivative::addBand
 {
     add
     (
-        body, min(bandWidth, maxBand), known,
+        body, parts_[region.body()], min(bandWidth, maxBand), known,
         region.faces, region.faceX, region.faceDistance,
         [&](const label i) { return region.faceH[i]; }
     );
@@ -137,41 +139,58 @@ void Foam::comovingDerivative::addFarther
     near.update(body, region.shift(), search, end*h);
     add
     (
-        body, end, false, near.faces, near.x, near.distance,
+        body, parts_[region.body()], end, false, near.faces, near.x, near.distance,
         [&](label) { return h; }
     );
 }
 
 
-Foam::boolList Foam::comovingDerivative::findMoving
+void Foam::comovingDerivative::findMoving
 (
-    const PtrList<immersedBody>& bodies
+    const PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
+    const scalar nu
 )
 {
-    boolList moving(bodies.size());
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalar deltaTs = deltaT + mesh_.time().deltaT0Value();
 
     active_ = false;
     components_.clear();
+    parts_.resize(bodies.size());
 
     // The same on all processors
     forAll(bodies, bodyi)
     {
-        const vector far(farthest(bodies[bodyi]));
-        const scalar none = still*bodies[bodyi].shape().width();
+        const immersedBody& body = bodies[bodyi];
 
-        moving[bodyi] = cmptMax(far) > none;
-        active_ = active_ || moving[bodyi];
+        parts_[bodyi] = 0;
 
-        for (direction k = 0; k < 3; ++k)
+        if (!body.resolved())
         {
-            if (far[k] > none && !components_.found(k))
+            continue;
+        }
+
+        const vector s0(farthest(body, body.oldState()));
+        const vector s00(farthest(body, body.oldOldState()));
+        const scalar V = max(mag(s0)/deltaT, mag(s00)/deltaTs);
+
+        parts_[bodyi] =
+            min(max((V*h[bodyi]/nu - slow)/(fast - slow), 0), 1);
+
+        for (direction k = 0; k < 3 && parts_[bodyi] > 0; ++k)
+        {
+            if
+            (
+                max(s0[k], s00[k]) > still*body.shape().width()
+             && !components_.found(k)
+            )
             {
                 components_.append(k);
+                active_ = true;
             }
         }
     }
-
-    return moving;
 }
 
 
@@ -183,6 +202,7 @@ void Foam::comovingDerivative::update
     const UList<scalar>& h,
     const scalar bandWidth,
     const bool images,
+    const scalar nu,
     const ddtCoefficients& ddt
 )
 {
@@ -193,7 +213,7 @@ void Foam::comovingDerivative::update
     weight_.clear();
     ddt_ = ddt;
 
-    const boolList moving(findMoving(bodies));
+    findMoving(bodies, h, nu);
 
     if (!active_)
     {
@@ -207,7 +227,7 @@ void Foam::comovingDerivative::update
     {
         const label bodyi = regions[i].body();
 
-        if (moving[bodyi])
+        if (parts_[bodyi] > 0)
         {
             const immersedBody& body = bodies[bodyi];
             const scalar end = images
@@ -226,7 +246,7 @@ void Foam::comovingDerivative::update
     }
     for (const bodyRegion& region : regions)
     {
-        if (!moving[region.body()])
+        if (!(parts_[region.body()] > 0))
         {
             addBand(region, bodies[region.body()], bandWidth, true);
         }

@@ -29,14 +29,22 @@ void Foam::comovingDerivative::setMoved
         );
     }
 
+    // The scheme Euler does not have what is before the last time
+    const bool older = ddt_.c00 > 0;
     const volVectorField& U0 = U.oldTime();
-    const volVectorField& U00 = ddt_.c00 > 0 ? U0.oldTime() : U0;
-    const scalar c0 = ddt_.c0, c00 = ddt_.c00;
+    const volVectorField& U00 = older ? U0.oldTime() : U0;
     volVectorField& y = moved_();
 
-    const auto value = [&](const vector& U0, const vector& U00, const vector& y)
+    const auto value = [&]
+    (
+        const vector& old,
+        const vector& oldOld,
+        const vector& moved
+    )
     {
-        return add ? c0*U0 - c00*y : U00;
+        const vector sum(ddt_.c0*old);
+
+        return !add ? oldOld : older ? sum - ddt_.c00*moved : sum;
     };
 
     for (const label celli : remap_.stencil())

@@ -107,9 +107,15 @@ void Foam::immersedBodies::updateResistance
 }
 
 
-void Foam::immersedBodies::updateFrame(const ddtCoefficients& ddt)
+void Foam::immersedBodies::updateFrame
+(
+    const ddtCoefficients& ddt,
+    const volScalarField& nu
+)
 {
     addProfiling(frame, "immersedBodies::updateFrame");
+
+    const scalarField inBands(nu.primitiveField(), region_.cells());
 
     frame_->update
     (
@@ -119,6 +125,7 @@ void Foam::immersedBodies::updateFrame(const ddtCoefficients& ddt)
         h_,
         region_.resistance().bandWidth(),
         periodicity_.active(),
+        gMin(inBands),
         ddt
     );
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sweptRemap.H"
-#include "surfaceFields.H"
-#include "syncTools.H"
 
 Foam::sweptRemap::sweptRemap
 (
@@ -11,173 +9,21 @@ Foam::sweptRemap::sweptRemap
 )
 :
     mesh_(mesh),
-    neighbours_(neighbours),
-    coupled_(false),
-    delta_(mesh.boundary().size()),
-    nCells_(0),
-    nWide_(0)
-{
-    forAll(delta_, patchi)
-    {
-        if (mesh.boundary()[patchi].coupled())
-        {
-            delta_[patchi] = mesh.boundary()[patchi].delta();
-            coupled_ = true;
-        }
-    }
-    reduce(coupled_, orOp<bool>());
-}
-
-
-void Foam::sweptRemap::setFaces(const labelUList& faces)
-{
-    UIndirectList<label>(cellAt_, cells_) = -1;
-    cellAt_.resize(mesh_.nCells(), -1);
-    cells_.clear();
-    faces_ = faces;
-
-    const auto append = [&](const label celli)
-    {
-        if (cellAt_[celli] < 0)
-        {
-            cellAt_[celli] = cells_.size();
-            cells_.append(celli);
-        }
-    };
-
-    for (const label facei : faces_)
-    {
-        append(mesh_.faceOwner()[facei]);
-
-        if (mesh_.isInternalFace(facei))
-        {
-            append(mesh_.faceNeighbour()[facei]);
-        }
-    }
-    nCells_ = cells_.size();
-
-    widen();
-    nWide_ = cells_.size();
-
-    widen();
-    findLinks();
-}
-
-
-void Foam::sweptRemap::findLinks()
-{
-    const surfaceScalarField& weights = mesh_.weights();
-    const vectorField& Sf = mesh_.faceAreas();
-    const vectorField& C = mesh_.cellCentres();
-    const scalarField& V = mesh_.V();
-
-    links_.clear();
-    begin_.resize(nWide_ + 1);
-
-    for (label i = 0; i < nWide_; ++i)
-    {
-        const label celli = cells_[i];
-        begin_[i] = links_.size();
-
-        for (const auto& n : neighbours_.of(celli))
-        {
-            const label facei = n.face();
-            const vector area
-            (
-                (n.owner() ? 1 : -1)/V[celli]*Sf[facei]
-            );
-            const scalar w =
-                n.owner() ? 1 - weights[facei] : weights[facei];
-
-            links_.append
-            (
-                link
-                {
-                    cellAt_[n.cell()],
-                    n.cell(),
-                    w*area,
-                    cmptMultiply(area, C[n.cell()] - C[celli])
-                }
-            );
-        }
-    }
-    begin_[nWide_] = links_.size();
-}
-
-
-void Foam::sweptRemap::widen()
-{
-    const label n = cells_.size();
-    const auto append = [&](const label celli)
-    {
-        if (cellAt_[celli] < 0)
-        {
-            cellAt_[celli] = cells_.size();
-            cells_.append(celli);
-        }
-    };
-
-    if (coupled_)
-    {
-        const List<label> places(beyond(cellAt_));
-
-        for (const fvPatch& patch : mesh_.boundary())
-        {
-            const label first = patch.start() - mesh_.nInternalFaces();
-
-            for (label i = 0; patch.coupled() && i < patch.size(); ++i)
-            {
-                if (places[first + i] >= 0)
-                {
-                    append(patch.faceCells()[i]);
-                }
-            }
-        }
-    }
-
-    for (label i = 0; i < n; ++i)
-    {
-        for (const auto& beside : neighbours_.of(cells_[i]))
-        {
-            append(beside.cell());
-        }
-    }
-}
+    stencil_(mesh, neighbours)
+{}
 
 
 template<class Type>
-Foam::List<Type> Foam::sweptRemap::beyond(const UList<Type>& values) const
-{
-    List<Type> others;
-
-    if (coupled_)
-    {
-        syncTools::swapBoundaryCellList(mesh_, values, others);
-    }
-
-    return others;
-}
-
-
-template<class Type>
-Foam::List<Type> Foam::sweptRemap::beyondCells
+Foam::sweptRemap::packedField<Type> Foam::sweptRemap::pack
 (
-    const UList<Type>& values
+    const GeometricField<Type, fvPatchField, volMesh>& y
 ) const
 {
-    if (!coupled_)
+    return packedField<Type>
     {
-        return List<Type>();
-    }
-
-    List<Type> all(mesh_.nCells(), Zero);
-
-    forAll(values, i)
-    {
-        all[cells_[i]] = values[i];
-    }
-
-    return beyond(all);
+        Field<Type>(y.primitiveField(), stencil_.cells()),
+        y.boundaryField()
+    };
 }
 
 
@@ -186,12 +32,12 @@ void Foam::sweptRemap::carry
 (
     const scalar part,
     const UList<Type>& changes,
-    GeometricField<Type, fvPatchField, volMesh>& y
-) const
+    packedField<Type>& y
+)
 {
-    for (label i = 0; i < nCells_; ++i)
+    forAll(changes, i)
     {
-        y[cells_[i]] -= part*changes[i];
+        y.values[i] -= part*changes[i];
     }
 }
 
@@ -201,25 +47,21 @@ Foam::Field<Type> Foam::sweptRemap::changes
 (
     const UList<vector>& s,
     const direction k,
-    const GeometricField<Type, fvPatchField, volMesh>& y,
-    const UList<gradientOf<Type>>& grad,
+    const packedField<Type>& y,
     const bool smooth,
     Field<Type>& sum
 ) const
 {
-    scalarField volume(nCells_);
-    Field<Type> swept(nCells_);
+    scalarField volume(stencil_.nCells(), Zero);
+    Field<Type> swept(stencil_.nCells(), Zero);
 
-    sweep(s, k, y, grad, smooth, volume, swept);
+    sweep(s, k, y, smooth, volume, swept);
     sum += swept;
 
-    const scalarField& V = mesh_.V();
-
-    for (label i = 0; i < nCells_; ++i)
+    forAll(swept, i)
     {
-        const label celli = cells_[i];
-
-        swept[i] = (swept[i] - volume[i]*y[celli])/V[celli];
+        swept[i] = (swept[i] - volume[i]*y.values[i])
+           /mesh_.V()[stencil_.cells()[i]];
     }
 
     return swept;
@@ -227,22 +69,21 @@ Foam::Field<Type> Foam::sweptRemap::changes
 
 
 template<class Type>
-Foam::Field<Type> Foam::sweptRemap::move
+Foam::Field<Type> Foam::sweptRemap::movePacked
 (
     const UList<vector>& s,
     const List<direction>& components,
     const bool smooth,
-    GeometricField<Type, fvPatchField, volMesh>& y
+    packedField<Type>& y
 ) const
 {
     const label n = components.size();
-    Field<Type> sum(nCells_, Zero);
+    Field<Type> sum(stencil_.nCells(), Zero);
     List<Field<Type>> alone(n), together(n);
-    const Field<gradientOf<Type>> grad(gradients(y, nWide_));
 
     forAll(alone, i)
     {
-        alone[i] = changes(s, components[i], y, grad, smooth, sum);
+        alone[i] = changes(s, components[i], y, smooth, sum);
     }
     if (n == 1)
     {
@@ -256,7 +97,7 @@ Foam::Field<Type> Foam::sweptRemap::move
         {
             if (j != i)
             {
-                carry(part, alone[j], y);
+                carry<Type>(part, alone[j], y);
             }
         }
     };
@@ -265,18 +106,49 @@ Foam::Field<Type> Foam::sweptRemap::move
     forAll(together, i)
     {
         carryOthers(0.5, i);
-        together[i] = changes
-        (
-            s, components[i], y, gradients(y, nWide_)(), smooth, sum
-        );
+        together[i] = changes(s, components[i], y, smooth, sum);
         carryOthers(-0.5, i);
     }
     for (const Field<Type>& changes : together)
     {
-        carry(1, changes, y);
+        carry<Type>(1, changes, y);
     }
 
     return sum;
+}
+
+
+template<class Type>
+Foam::Field<Type> Foam::sweptRemap::move
+(
+    const UList<vector>& s,
+    const List<direction>& components,
+    const bool smooth,
+    GeometricField<Type, fvPatchField, volMesh>& y
+) const
+{
+    packedField<Type> packed(pack(y));
+    const Field<Type> sum(movePacked(s, components, smooth, packed));
+
+    UIndirectList<Type>(y.primitiveFieldRef(), cells()) =
+        SubList<Type>(packed.values, stencil_.nCells());
+
+    return sum;
+}
+
+
+Foam::vectorField Foam::sweptRemap::gradients(const volScalarField& y) const
+{
+    const packedField<scalar> packed(pack(y));
+    const scalarList others(stencil_.beyond(packed.values));
+    vectorField grad(stencil_.nWide());
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        grad.replace(k, gradientRow(k, packed, others));
+    }
+
+    return grad;
 }
 
 

@@ -1,94 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 template<class Type>
-Foam::tmp<Foam::Field<Foam::sweptRemap::gradientOf<Type>>>
-Foam::sweptRemap::gradients
+Foam::Field<Type> Foam::sweptRemap::gradientRow
 (
-    const GeometricField<Type, fvPatchField, volMesh>& y,
-    const label n
+    const direction row,
+    const packedField<Type>& y,
+    const UList<Type>& others
 ) const
 {
-    const surfaceScalarField& weights = mesh_.weights();
-    const vectorField& Sf = mesh_.faceAreas();
-    const scalarField& V = mesh_.V();
-    const List<Type> others(beyond(y.primitiveField()));
-    tmp<Field<gradientOf<Type>>> tgrad(new Field<gradientOf<Type>>(n));
-    Field<gradientOf<Type>>& grad = tgrad.ref();
+    const remapStencil::axisLinks& along = stencil_.links(row);
+    Field<Type> g(stencil_.nWide(), Zero);
 
-    forAll(grad, i)
+    forAll(g, i)
     {
-        const label celli = cells_[i];
-        gradientOf<Type> sum(Zero);
-
-        for (label j = begin_[i]; j < begin_[i + 1]; ++j)
+        for (label j = along.begin[i]; j < along.begin[i + 1]; ++j)
         {
-            sum += links_[j].first*(y[links_[j].cell] - y[celli]);
+            const remapStencil::link& link = along.links[j];
+
+            g[i] += link.first*(y.values[link.place] - y.values[i]);
         }
-
-        for (const auto& face : neighbours_.onPatches(celli))
-        {
-            const fvPatch& patch = mesh_.boundary()[face.patch];
-            const label facei = patch.start() + face.face;
-
-            sum += patch.coupled()
-              ? ((1 - weights.boundaryField()[face.patch][face.face])
-               /V[celli]*Sf[facei])
-               *(others[facei - mesh_.nInternalFaces()] - y[celli])
-              : (Sf[facei]/V[celli])
-               *(y.boundaryField()[face.patch][face.face] - y[celli]);
-        }
-
-        grad[i] = sum;
     }
-
-    return tgrad;
-}
-
-
-namespace
-{
-    //- The row k of a gradient
-    inline Foam::scalar row(const Foam::vector& grad, const Foam::direction k)
+    for (const remapStencil::patchLink& link : along.onPatches)
     {
-        return grad[k];
+        const Type& value = link.coupled
+          ? others[link.boundaryFace]
+          : y.onPatches[link.patch][link.face];
+
+        g[link.place] += link.first*(value - y.values[link.place]);
     }
 
-    inline Foam::vector row(const Foam::tensor& grad, const Foam::direction k)
-    {
-        return Foam::vector(grad[3*k], grad[3*k + 1], grad[3*k + 2]);
-    }
-
-
-    //- Value of what a face has swept over, see the header
-    template<class Type, class Grad>
-    Type sweptValue
-    (
-        const Foam::vector& s,
-        const Foam::vector& d,
-        const Foam::direction axis,
-        const Foam::scalar m,
-        const Foam::scalar w,
-        const Type& yP,
-        const Type& yN,
-        const Grad& gP,
-        const Grad& gN,
-        const Type& bP,
-        const Type& bN
-    )
-    {
-        const Type dy(yN - yP);
-        const Grad bend(gN - gP);
-        const Grad grad(w*gP + (1 - w)*gN);
-        const Type dMeanB(d[axis]*(w*bP + (1 - w)*bN));
-        const Type excess((d & grad) - dy);
-        const Foam::vector t(s - m*d);
-        const Foam::scalar k = 1 - m*m, l = 4 - m*m;
-
-        return w*yP + (1 - w)*yN
-          - k/6*((d & bend) - (l/20*d[axis])*(bN - bP))
-          - 0.5*m*(dy - k/3*excess + (k*l/90)*(dMeanB - 4*excess))
-          - 0.5*(t & grad) + 0.5*m*(t & bend);
-    }
+    return g;
 }
 
 
@@ -96,54 +37,113 @@ template<class Type>
 Foam::Field<Type> Foam::sweptRemap::secondDifferences
 (
     const direction k,
-    const UList<gradientOf<Type>>& grad,
-    const UList<gradientOf<Type>>& others
+    const UList<Type>& row,
+    const UList<Type>& others
 ) const
 {
-    const vectorField& Sf = mesh_.faceAreas();
-    const scalarField& V = mesh_.V();
-    Field<Type> b(nCells_, Zero);
+    // A patch whose normal has no more of the axis is beside a cell, not at
+    // the end of its line
+    const scalar atEnd = 0.1;
+    const remapStencil::axisLinks& along = stencil_.links(k);
+    Field<Type> b(stencil_.nCells(), Zero);
 
     forAll(b, i)
     {
-        const label celli = cells_[i];
-        const Type here(row(grad[i], k));
-        bool atPatch = false;
-
-        for (label j = begin_[i]; j < begin_[i + 1]; ++j)
+        for (label j = along.begin[i]; j < along.begin[i + 1]; ++j)
         {
-            const scalar part = links_[j].second[k];
+            const remapStencil::link& link = along.links[j];
 
-            // None of most faces of meshes along the axes
-            if (part != 0)
-            {
-                b[i] += part*(row(grad[links_[j].place], k) - here);
-            }
+            b[i] += link.second*(row[link.place] - row[i]);
         }
-
-        for (const auto& face : neighbours_.onPatches(celli))
+    }
+    for (const remapStencil::patchLink& link : along.onPatches)
+    {
+        if (link.coupled && link.place < b.size())
         {
-            const fvPatch& patch = mesh_.boundary()[face.patch];
-            const label facei = patch.start() + face.face;
-
-            if (patch.coupled())
-            {
-                b[i] += Sf[facei][k]*delta_[face.patch][face.face][k]/V[celli]
-                   *(row(others[facei - mesh_.nInternalFaces()], k) - here);
-            }
-            else
-            {
-                atPatch = atPatch || mag(Sf[facei][k]) > 0.1*mag(Sf[facei]);
-            }
+            b[link.place] +=
+                link.second*(others[link.boundaryFace] - row[link.place]);
         }
-
-        if (atPatch)
+    }
+    for (const remapStencil::patchLink& link : along.onPatches)
+    {
+        if (!link.coupled && link.place < b.size() && link.second > atEnd)
         {
-            b[i] = Zero;
+            b[link.place] = Zero;
         }
     }
 
     return b;
+}
+
+
+namespace
+{
+    //- Means and differences over the cells of a face, named as in the header
+    template<class Type>
+    class faceTerms
+    {
+        Type mean_, dy_;
+        Type dMeanG_, dDiffG_, tMeanG_, tDiffG_;
+        Type dMeanB_, dDiffB_;
+
+    public:
+
+        //- Construct for the weight of the owner and values there and beyond
+        faceTerms(const Foam::scalar w, const Type& yO, const Type& yN)
+        :
+            mean_(w*yO + (1 - w)*yN),
+            dy_(yN - yO),
+            dMeanG_(Foam::Zero),
+            dDiffG_(Foam::Zero),
+            tMeanG_(Foam::Zero),
+            tDiffG_(Foam::Zero)
+        {}
+
+        //- Add a row of the gradient; d, t: components along it
+        void addGradient
+        (
+            const Foam::scalar w,
+            const Foam::scalar d,
+            const Foam::scalar t,
+            const Type& gO,
+            const Type& gN
+        )
+        {
+            const Type mean(w*gO + (1 - w)*gN);
+            const Type diff(gN - gO);
+
+            dMeanG_ += d*mean;
+            dDiffG_ += d*diff;
+            tMeanG_ += t*mean;
+            tDiffG_ += t*diff;
+        }
+
+        //- Set the second difference; d: component along s
+        void setBend
+        (
+            const Foam::scalar w,
+            const Foam::scalar d,
+            const Type& bO,
+            const Type& bN
+        )
+        {
+            dMeanB_ = d*(w*bO + (1 - w)*bN);
+            dDiffB_ = d*(bN - bO);
+        }
+
+        //- Value of what the face has swept over
+        Type swept(const Foam::scalar m) const
+        {
+            const Foam::scalar k = 1 - m*m, l = 4 - m*m;
+            const Type excess(dMeanG_ - dy_);
+
+            return mean_
+              - k/6*(dDiffG_ - l/20*dDiffB_)
+              - 0.5*m*(dy_ - k/3*excess + k*l/90*(dMeanB_ - 4*excess))
+              - 0.5*tMeanG_
+              + 0.5*m*tDiffG_;
+        }
+    };
 }
 
 
@@ -152,77 +152,69 @@ void Foam::sweptRemap::sweep
 (
     const UList<vector>& s,
     const direction k,
-    const GeometricField<Type, fvPatchField, volMesh>& y,
-    const UList<gradientOf<Type>>& grad,
+    const packedField<Type>& y,
     const bool smooth,
     scalarField& volume,
     Field<Type>& swept
 ) const
 {
-    const vectorField& C = mesh_.cellCentres();
-    const vectorField& Sf = mesh_.faceAreas();
-    const label nInternal = mesh_.nInternalFaces();
+    const DynamicList<direction>& rows = stencil_.rows(k);
+    const List<Type> otherY(stencil_.beyond(y.values));
+    FixedList<Field<Type>, 3> g;
+    FixedList<List<Type>, 3> otherG;
 
-    const List<Type> otherY(beyond(y.primitiveField()));
-    const List<gradientOf<Type>> otherGrad(beyondCells(grad));
+    for (const direction row : rows)
+    {
+        g[row] = gradientRow<Type>(row, y, otherY);
+        otherG[row] = stencil_.beyond(g[row]);
+    }
+
     const Field<Type> b
     (
         smooth
-      ? secondDifferences<Type>(k, grad, otherGrad)
-      : Field<Type>(nCells_, Zero)
+      ? secondDifferences<Type>(k, g[k], otherG[k])
+      : Field<Type>(stencil_.nCells(), Zero)
     );
-    const List<Type> otherB(beyondCells(b));
+    const List<Type> otherB(stencil_.beyond(b));
 
-    volume = 0;
-    swept = Zero;
-
-    forAll(faces_, i)
+    for (const remapStencil::face& face : stencil_.displaced(k))
     {
-        const label facei = faces_[i];
-        const scalar V = s[i][k]*Sf[facei][k];
+        const scalar sk = s[face.index][k];
 
-        if (V == 0)
+        if (sk == 0)
         {
             continue;
         }
 
-        const label own = mesh_.faceOwner()[facei];
-        const label o = cellAt_[own];
-        vector sk(Zero);
-        sk[k] = s[i][k];
+        const bool coupled = face.nei < 0;
+        const label o = face.own, n = face.nei, at = face.boundaryFace;
+        const scalar m = sk*face.inverse;
+        const scalar w = face.weight;
+        faceTerms<Type> terms
+        (
+            w, y.values[o], coupled ? otherY[at] : y.values[n]
+        );
+
+        for (const direction row : rows)
+        {
+            terms.addGradient
+            (
+                w, face.d[row], (row == k ? sk : 0) - m*face.d[row],
+                g[row][o], coupled ? otherG[row][at] : g[row][n]
+            );
+        }
+        terms.setBend(w, face.d[k], b[o], coupled ? otherB[at] : b[n]);
+
+        const scalar V = sk*face.area;
+        const Type flux(V*terms.swept(m));
 
         volume[o] += V;
+        swept[o] += flux;
 
-        if (facei < nInternal)
+        if (!coupled)
         {
-            const label nei = mesh_.faceNeighbour()[facei];
-            const label n = cellAt_[nei];
-            const vector d(C[nei] - C[own]);
-            const Type flux
-            (
-                V*sweptValue
-                (
-                    sk, d, k, V/(d & Sf[facei]), mesh_.weights()[facei],
-                    y[own], y[nei], grad[o], grad[n], b[o], b[n]
-                )
-            );
-
-            swept[o] += flux;
-            swept[n] -= flux;
             volume[n] -= V;
-            continue;
+            swept[n] -= flux;
         }
-
-        const label at = facei - nInternal;
-        const label patchi = mesh_.boundaryMesh().patchID()[at];
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const label j = facei - patch.start();
-        const vector d(delta_[patchi][j]);
-
-        swept[o] += V*sweptValue
-        (
-            sk, d, k, V/(d & Sf[facei]), patch.weights()[j],
-            y[own], otherY[at], grad[o], otherGrad[at], b[o], otherB[at]
-        );
     }
 }
