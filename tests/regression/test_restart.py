@@ -79,7 +79,7 @@ def results(case, ranks):
     time = case.latest_time(folders[0])
     assert float(time) > 0.12
     return {
-        str(file.relative_to(case.path)): file.read_bytes()
+        f"{folder}/{file.relative_to(case.path / folder / time)}": file.read_bytes()
         for folder in folders
         for file in (case.path / folder / time).rglob("*")
         if file.is_file() and file.name != "time"

@@ -3,6 +3,7 @@
 #include "testTools.H"
 #include "boxMesh.H"
 #include "immersedBody.H"
+#include "meshProperties.H"
 #include "periodicity.H"
 #include "proximityMonitor.H"
 
@@ -96,7 +97,7 @@ TEST_CASE("Periods of a mesh", "[periodicity][parallel]")
     };
 
     const auto mesh(box.make(time));
-    const periodicity periods(*mesh);
+    const periodicity periods(meshProperties::periods(*mesh));
 
     REQUIRE(periods.periods().size() == 2);
     CHECK(difference(periods.periods()[0], vector(3, 0, 0)) < 1e-12);

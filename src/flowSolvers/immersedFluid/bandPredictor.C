@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "meshProperties.H"
 #include "profiling.H"
 
 namespace
@@ -95,7 +96,7 @@ bool Foam::flowSolvers::immersedFluid::predictBands()
 
     bodies_->updateResistance
     (
-        ddtCoefficients(mesh_, U_.name()),
+        meshProperties::ddt(mesh_, U_.name()),
         A0_(),
         viscosity(),
         true

@@ -11,8 +11,10 @@ namespace
     //  the rest would take many more
     const Foam::label lastLoadOuter = 4;
 
-    //- Courant number up to which iterations are accelerated
+    //- Courant number up to which iterations are accelerated, and the part of
+    //  the tolerance down to which: slow ones have to go that far
     const Foam::scalar maxAccelerated = 2;
+    const Foam::scalar leastAccelerated = 0.1;
 }
 
 
@@ -141,7 +143,8 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     acceleration_.watch
     (
         outer_,
-        free && more && CoNum < maxAccelerated ? change_ : 0
+        free && more && CoNum < maxAccelerated ? change_ : 0,
+        leastAccelerated*bodies_->tolerance()
     );
 }
 

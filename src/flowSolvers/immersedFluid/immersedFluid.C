@@ -2,7 +2,7 @@
 
 #include "immersedFluid.H"
 #include "addToRunTimeSelectionTable.H"
-#include "compat.H"
+#include "compatMesh.H"
 #include "functionObject.H"
 #include "pairGradient.H"
 

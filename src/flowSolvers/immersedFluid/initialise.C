@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "fvcFlux.H"
+#include "meshProperties.H"
 
 Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
 {
@@ -47,7 +48,7 @@ void Foam::flowSolvers::immersedFluid::checkSettings() const
     }
 
     // Refuses schemes that the bodies' equations do not follow
-    ddtCoefficients(mesh_, U_.name());
+    meshProperties::ddt(mesh_, U_.name());
 }
 
 

@@ -4,6 +4,7 @@
 #include "comovingDerivative.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
+#include "meshProperties.H"
 
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::flowSolvers::immersedFluid::divDevSigma()
@@ -35,7 +36,7 @@ Foam::flowSolvers::immersedFluid::divDevSigma()
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::flowSolvers::immersedFluid::ddtMomentum()
 {
-    const ddtCoefficients ddt(mesh_, U_.name());
+    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
     tmp<fvVectorMatrix> tEqn
     (
         new fvVectorMatrix(U_, U_.dimensions()*dimVolume/dimTime)

@@ -3,6 +3,7 @@
 #include "immersedFluid.H"
 #include "comovingDerivative.H"
 #include "fvcGrad.H"
+#include "meshProperties.H"
 #include "profiling.H"
 #include "vectorSmoothSolver.H"
 
@@ -187,13 +188,13 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
 
     if (bodies_->frozen())
     {
-        correctUnresolved(ddtCoefficients(mesh_, U_.name()));
+        correctUnresolved(meshProperties::ddt(mesh_, U_.name()));
         return;
     }
 
     addProfiling(momentum, "momentumPredictor");
 
-    const ddtCoefficients ddt(mesh_, U_.name());
+    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
 
     if (pending_.valid() && pending_->active() && pending_->outdated())
     {

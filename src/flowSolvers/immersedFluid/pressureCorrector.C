@@ -7,6 +7,7 @@
 #include "findRefCell.H"
 #include "fvcGrad.H"
 #include "inletOutletFvPatchFields.H"
+#include "meshProperties.H"
 #include "pairGradient.H"
 #include "profiling.H"
 #include "smoothedFlux.H"
@@ -212,7 +213,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     addProfiling(pressure, "pressureCorrector");
 
-    const ddtCoefficients ddt(mesh_, U_.name());
+    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
     const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
     const volScalarField& dp = projection_->dp();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "meshProperties.H"
 
 void Foam::flowSolvers::immersedFluid::reportProgress() const
 {
@@ -58,7 +59,7 @@ void Foam::flowSolvers::immersedFluid::check()
     bodies_->beginStep();
     bodies_->updateResistance
     (
-        ddtCoefficients(mesh_, U_.name()),
+        meshProperties::ddt(mesh_, U_.name()),
         assembleMomentum()->A()(),
         viscosity()
     );

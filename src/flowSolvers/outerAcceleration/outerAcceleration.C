@@ -11,9 +11,6 @@ namespace
     //  those after them may leave
     const Foam::label nPlain = 2;
     const Foam::scalar slow = 0.5;
-
-    //- Relative change below which linear solvers are seen, not iterations
-    const Foam::scalar noise = 1e-5;
 }
 
 
@@ -38,11 +35,16 @@ void Foam::outerAcceleration::begin()
 }
 
 
-void Foam::outerAcceleration::watch(const label outer, const scalar change)
+void Foam::outerAcceleration::watch
+(
+    const label outer,
+    const scalar change,
+    const scalar least
+)
 {
     active_ =
         outer > nPlain
-     && change > noise
+     && change > least
      && (active_ || change > slow*change_);
     change_ = change;
 

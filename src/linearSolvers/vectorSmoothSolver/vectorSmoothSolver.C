@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "vectorSmoothSolver.H"
-#include "compat.H"
+#include "compatMesh.H"
 #include "profiling.H"
 
 Foam::vectorSmoothSolver::vectorSmoothSolver

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wallFacets.H"
+
+Foam::wallFacets::facet::facet(const UList<point>& x)
+:
+    points(x)
+{
+    const face f(identity(points.size()));
+
+    centre = f.centre(points);
+    normal = -f.areaNormal(points);
+    normal /= mag(normal) + VSMALL;
+    radius = bulge = 0;
+
+    for (const point& p : points)
+    {
+        radius = max(radius, mag(p - centre));
+        bulge = max(bulge, mag((p - centre) & normal));
+    }
+}
+
+
+Foam::point Foam::wallFacets::facet::nearest(const point& x) const
+{
+    return face(identity(points.size())).nearestPoint(x, points).rawPoint();
+}
+
+
+Foam::wallFacets::wallFacets(const geometricSpace& space)
+:
+    inSpace_(space.translation())
+{}
+
+
+Foam::wallFacets::wallFacets
+(
+    const UList<pointField>& faces,
+    const label nBodies,
+    const geometricSpace& space,
+    const UList<vector>& U
+)
+:
+    facets_(nBodies),
+    inSpace_(space.translation())
+{
+    for (DynamicList<facet>& facets : facets_)
+    {
+        forAll(faces, i)
+        {
+            facets.append(facet(faces[i]));
+            facets.last().U = U.empty() ? vector::zero : U[i];
+        }
+    }
+}
+
+
+void Foam::wallFacets::update
+(
+    const UList<point>&,
+    const UList<scalar>&,
+    const periodicity&
+)
+{}
+
+
+Foam::wordList Foam::wallFacets::patches() const
+{
+    return wordList();
+}
+
+
+Foam::scalar Foam::wallFacets::maxSpeed() const
+{
+    scalar speed = 0;
+
+    forAll(facets_, bodyi)
+    {
+        speed = max(speed, maxSpeedBeside(bodyi));
+    }
+
+    return speed;
+}
+
+
+Foam::scalar Foam::wallFacets::maxSpeedBeside(const label bodyi) const
+{
+    scalar speed = 0;
+
+    for (const facet& f : facets_[bodyi])
+    {
+        speed = max(speed, mag(f.U));
+    }
+
+    return speed;
+}
