@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxSolver.H"
+#include "fastestTransform.H"
 #include "PstreamReduceOps.H"
 #include <fftw3.h>
 
@@ -26,11 +27,11 @@ Foam::autoPtr<Foam::slabs> Foam::boxSolver::choose
             continue;
         }
 
-        scalar cost = message*parts().moved() - lineTransform::cost(line);
+        scalar cost = message*parts().moved() - fastestTransform::cost(line);
 
         for (label i = 0; i < 3; ++i)
         {
-            cost += lineTransform::cost(laplacian_.line(i));
+            cost += fastestTransform::cost(laplacian_.line(i));
         }
 
         // Of equal ones the last, along which cells are usually numbered last
@@ -66,7 +67,7 @@ void Foam::boxSolver::addDirection
 
     autoPtr<lineTransform> transform
     (
-        lineTransform::New(line, inner, outer*nLayers)
+        fastestTransform::New(line, inner, outer*nLayers)
     );
 
     forAll(lambda, m)
