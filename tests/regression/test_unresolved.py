@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from bodyCase import BodyCase
+from boxMesh import uniform
 from fallingGrain import (
     falling_dust, falling_grain, limit, standard_drag, terminal_velocity,
 )
@@ -169,3 +170,32 @@ def test_restart_is_exact(scheme, ranks, tmp_path):
             for case in (at_once, parts)
         )
         assert a == b, name
+
+
+def test_a_grain_enters_where_the_cells_grow(tmp_path):
+    """Fine enough for it at its centre, 0.100 m, but not at its surface, 0.121
+    m; there is no body before."""
+    case = BodyCase("box", tmp_path)
+    case.mesh(uniform(-1, 1, 20), uniform(-1, 1, 20),
+              [-1, (2, 20, 1.1**19)])
+    case.bodies("", """
+        coupling { type auto; }
+        injection
+        {
+            one
+            {
+                shape { type sphere; radius 0.225; }
+                densityRatio 2;
+                position (0 0 -0.3034);
+                times (0.02);
+            }
+        }
+    """)
+    case.controls(endTime=0.02, deltaT=0.02, writeInterval=0.02,
+                  writeFormat="ascii")
+    log = case.solve()
+    assert "bodies 1," in log
+    assert "resolved from now on" not in log
+
+    # It is seen at once
+    assert case.field("bodyFraction").max() > 0

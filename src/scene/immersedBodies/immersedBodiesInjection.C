@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "bodyPassage.H"
 #include "profiling.H"
+#include "unresolvedCoupling.H"
 
 bool Foam::immersedBodies::enterAgain(volVectorField& U)
 {
@@ -92,5 +93,6 @@ void Foam::immersedBodies::enter(volVectorField& U)
     {
         U.correctBoundaryConditions();
         region_.updateGeometry(bodies_, true);
+        unresolved_->update(bodies_, h_);
     }
 }
