@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from bodyCase import BodyCase
+from foamCase import FoamError
 from periodicBox import periodic_case, superficial_speed
 from periodicTube import direct_pressure
 
@@ -118,3 +119,56 @@ def test_a_body_force_is_a_pressure_gradient(tmp_path):
         case.solve()
         speeds.append(superficial_speed(case, 0.1)[-1])
     assert speeds[0] == pytest.approx(speeds[1], rel=1e-3)
+
+
+def ami_case(folder, name):
+    """A box whose sides along x are coupled by interpolation."""
+    case = periodic_case(folder, name, CELLS[2], 2, 0, True)
+    for one, other, sign in (("left", "right", ""), ("right", "left", "-")):
+        case.replace(
+            "system/blockMeshDict",
+            f"    {one} {{ type cyclic; neighbourPatch {other};",
+            f"    {one} {{ type cyclicAMI; neighbourPatch {other};"
+            f" transform translational; separationVector ({sign}1 0 0);",
+        )
+    case.run("blockMesh")
+    sides = """
+        "left|right" { type cyclicAMI; }
+        "bottom|top" { type cyclic; }
+        frontAndBack { type empty; }
+    """
+    case.conditions(sides, sides)
+    case.controls(endTime="0.04", deltaT="0.02")
+    return case
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_bodies_refuse_patches_that_do_not_match(ranks, tmp_path):
+    case = ami_case(tmp_path, "bodies")
+    case.bodies("""
+        disc
+        {
+            shape { type disc; radius 0.2; }
+            densityRatio 2;
+            position (0.1 0.5 0);
+        }
+    """)
+    with pytest.raises(FoamError) as error:
+        case.solve(ranks, (1, ranks, 1))
+    for part in ("'left'", "'cyclicAMI'", "'type cyclic'", "polyMesh/boundary"):
+        assert part in str(error.value)
+
+
+def test_without_bodies_they_are_allowed(tmp_path):
+    case = ami_case(tmp_path, "empty")
+    case.controls(writeInterval="0.04", writeFormat="ascii")
+    (case.path / "constant/immersedBodyProperties").unlink()
+    file = case.path / "system/controlDict"
+    file.write_text(file.read_text().split("functions")[0] + "functions {}\n")
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear;",
+        "div(phi,U)          Gauss linear;\n"
+        "    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
+    )
+    case.solve()
+    assert case.field("U")[:, 0] == pytest.approx(1, rel=1e-6)

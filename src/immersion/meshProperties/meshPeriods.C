@@ -49,12 +49,37 @@ void sumFaces
     reduce(moment, sumOp<vector>());
 }
 
+
+//- Refuse patches that are coupled, but not face by face: bodies do not reach
+//  across them, and what they exchange takes all processors
+void checkCoupled(const polyBoundaryMesh& patches)
+{
+    for (const polyPatch& patch : patches)
+    {
+        if
+        (
+            isA<coupledPolyPatch>(patch)
+         && !isA<cyclicPolyPatch>(patch)
+         && !isA<processorPolyPatch>(patch)
+        )
+        {
+            FatalIOErrorInFunction(patches.objectPath())
+                << "Immersed bodies need coupled patches that match face by"
+                << " face, and '" << patch.name() << "' is of the type '"
+                << patch.type() << "': allowed is 'type cyclic'" << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
 Foam::periodicity Foam::meshProperties::periods(const polyMesh& mesh)
 {
     periodicity result;
+
+    checkCoupled(mesh.boundaryMesh());
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
