@@ -80,14 +80,14 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
             )
         );
     }
-    if (!stokes_)
-    {
-        phi_.oldTime().oldTime();
-    }
 
     if (!functionObject::postProcess)
     {
         initialise();
+    }
+    if (!stokes_)
+    {
+        phi_.oldTime().oldTime();
     }
 
     correctViscosity();

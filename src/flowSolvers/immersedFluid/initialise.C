@@ -65,6 +65,12 @@ void Foam::flowSolvers::immersedFluid::initialise()
         bodies_->setRigidMotion(U_);
         phi_ = fvc::flux(U_);
         makeRelative(bodies_->window().velocity());
+
+        // That of another solver's run does not know the bodies
+        if (phi_.nOldTimes())
+        {
+            phi_.oldTime() == phi_;
+        }
     }
 }
 
