@@ -124,3 +124,25 @@ TEST_CASE("In a plane a free body stays in it", "[immersedBody]")
     CHECK(body.state().position.z() == 0);
     CHECK(mag(body.state().U.x()) > 0);
 }
+
+
+TEST_CASE("A time step that is undone leaves the load of the last",
+    "[immersedBody]")
+{
+    immersedBody body(makeBody("densityRatio 2; velocity (1 2 0);", space));
+    const ddtCoefficients ddt("Euler", 0.01, 0.01);
+    bodyLoad last, failed;
+    last.force = vector(1, 2, 3);
+    last.torque = vector(4, 5, 6);
+    failed.force = vector(7, 8, 9);
+
+    body.beginStep();
+    body.correctVelocity(last, ddt, vector::zero);
+    body.beginStep();
+    body.correctVelocity(failed, ddt, vector::zero);
+    CHECK(difference(body.load().force, failed.force) == 0);
+
+    body.undoStep();
+    CHECK(difference(body.load().force, last.force) == 0);
+    CHECK(difference(body.load().torque, last.torque) == 0);
+}

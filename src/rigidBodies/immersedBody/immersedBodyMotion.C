@@ -99,6 +99,7 @@ void Foam::immersedBody::beginStep(const scalar ratio)
     oldOld_ = old_;
     old_ = state_;
     oldEddy_ = eddy_;
+    oldLoad_ = load_;
     oldContactU_ = contactU_;
     oldContactOmega_ = contactOmega_;
     contactU_ = contactOmega_ = Zero;
@@ -133,6 +134,7 @@ void Foam::immersedBody::undoStep()
     state_ = old_;
     old_ = oldOld_;
     eddy_ = oldEddy_;
+    load_ = oldLoad_;
     contactU_ = oldContactU_;
     contactOmega_ = oldContactOmega_;
 }

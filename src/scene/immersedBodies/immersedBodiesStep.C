@@ -18,6 +18,7 @@ void Foam::immersedBodies::beginStep()
 {
     clock_ += mesh_.time().deltaTValue();
     passage_->beginStep();
+    oldH_ = h_;
 
     for (immersedBody& body : bodies_)
     {
@@ -39,6 +40,7 @@ void Foam::immersedBodies::undoStep()
     {
         body.undoStep();
     }
+    h_ = oldH_;
     window_.undoStep();
     region_.updateGeometry(bodies_);
 }
