@@ -3,6 +3,7 @@
 thrown into a flow of little viscosity, Courant numbers of 2.1 and 6."""
 
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from foamCase import FoamError
 @pytest.fixture(scope="module")
 def tube(tmp_path_factory):
     case = BodyCase("tube", tmp_path_factory.mktemp("steps"))
+    case.controls(writeFormat="ascii", writePrecision="17")
     case.mesh(uniform(-1, 1, 40), uniform(-1, 1, 40))
     case.replace("constant/transportProperties", "0.5;", "1e-3;")
     return case
@@ -52,6 +54,78 @@ def test_a_step_is_repeated_with_half_its_length(tube, tmp_path):
     assert np.abs(end + half - whole).min() < 1e-9
     assert times == pytest.approx(np.sort(np.append(whole, end)), abs=1e-9)
     assert np.abs(motion["velocity_x"]).max() < 3
+
+
+def test_a_restart_within_a_halved_step_is_exact(tube, tmp_path):
+    deltaT = 0.07
+    at_once = prepare(tube, tmp_path, 3, deltaT)
+    at_once.controls(
+        writeControl="timeStep", writeInterval=1, timePrecision=15,
+    )
+    log = at_once.solve()
+    (half,) = re.findall(r"Time = (\S+), repeated", log)
+    times = at_once.times()
+
+    # From the end of the first piece, and of the second
+    first = times.index(half)
+    for last in (first, first + 1):
+        rest = BodyCase(at_once, tmp_path, f"rest{last}")
+        for time in times[last + 1:]:
+            shutil.rmtree(rest.path / time)
+        rest.solve()
+
+        assert rest.times() == times
+        for name in ("U", "phi", "p", "uniform/immersedBodies"):
+            expected, obtained = (
+                (case.path/times[-1]/name).read_bytes()
+                for case in (at_once, rest)
+            )
+            assert obtained == expected, name
+
+
+def test_a_repeated_step_begins_as_a_new_one(tube, tmp_path):
+    """With what is no old level of a field in time: a viscosity that depends on
+    the flow, and the gradients along ends under traction."""
+    deltaT = 0.14
+    repeated = prepare(tube, tmp_path, 3, deltaT)
+    sides = """
+        "inlet|outlet" {{ type fixedTraction{}; }}
+        walls {{ type {}; }}
+        frontAndBack {{ type empty; }}
+    """
+    repeated.conditions(
+        sides.format("Velocity; traction (0 0 0)", "noSlip"),
+        sides.format("Pressure", "zeroGradient"),
+    )
+    repeated.replace(
+        "constant/transportProperties", "Newtonian;", "powerLaw; "
+        "powerLawCoeffs { k 1e-3; n 0.7; nuMin 1e-5; nuMax 1; }",
+    )
+    repeated.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear;",
+        "div(phi,U)          Gauss linear;\n"
+        "    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
+    )
+    repeated.controls(
+        libs="(grainFvPatchFields)", endTime=deltaT, writeControl="timeStep",
+        writeInterval=1, timePrecision=12,
+    )
+    new = BodyCase(repeated, tmp_path, "new")
+    log = repeated.solve()
+    pieces = dict(
+        re.findall(r"Time = (\S+), repeated with deltaT = (\S+)", log)
+    )
+    first = repeated.times()[1]
+
+    new.controls(deltaT=pieces[first], endTime=first)
+    assert ", repeated with" not in new.solve()
+
+    for name in ("U", "p", "nu"):
+        expected = new.field(name, first)
+        assert np.ptp(expected) > 0
+        assert repeated.field(name, first) == pytest.approx(
+            expected, rel=1e-8, abs=1e-8*np.abs(expected).max()
+        ), name
 
 
 def test_a_run_that_cannot_go_on_stops_with_its_state(tube, tmp_path):

@@ -15,17 +15,6 @@ namespace fv
 }
 
 
-bool Foam::fv::flowRateForce::savedState::writeData(Ostream& os) const
-{
-    const auto precision = os.precision(17);
-    const bool good = IOdictionary::writeData(os);
-
-    os.precision(precision);
-
-    return good;
-}
-
-
 Foam::fv::flowRateForce::flowRateForce
 (
     const word& name,
@@ -39,18 +28,7 @@ Foam::fv::flowRateForce::flowRateForce
     meanVelocity_(Function1<scalar>::New("meanVelocity", coeffs_)),
     g_(0),
     oldG_(0),
-    state_
-    (
-        IOobject
-        (
-            name_ + "Properties",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    )
+    state_(name_ + "Properties", mesh)
 {
     fieldNames_ = wordList(1, coeffs_.lookupOrDefault<word>("U", "U"));
     applied_.setSize(1, false);

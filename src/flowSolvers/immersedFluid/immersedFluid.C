@@ -42,7 +42,6 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     speedScale_(0),
     lost_(false),
     acceleration_(mesh),
-    retry_(mesh, runTime_),
     startTime_(mesh.time().value())
 {
     if (!immersed())
@@ -92,6 +91,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
 
     correctViscosity();
     addBodyWalls();
+    retry_.reset(new timeStepRetry(mesh_, runTime_));
 
     bodies_->report(Info);
     // Each with a comma and a space before
@@ -121,7 +121,7 @@ void Foam::flowSolvers::immersedFluid::preSolve()
     correctCoNum();
     CoNum = max(CoNum, bodies_->courantNo());
     adjustDeltaT();
-    retry_.begin(adjustTimeStep);
+    retry_->begin(adjustTimeStep);
     if (flowRate_)
     {
         flowRate_->beginStep();

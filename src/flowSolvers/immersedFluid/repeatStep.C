@@ -29,9 +29,9 @@ void Foam::flowSolvers::immersedFluid::repeatStep()
         flowRate_->undoStep();
     }
 
-    if (!retry_.halve())
+    if (!retry_->halve())
     {
-        retry_.undo();
+        retry_->undo();
         stop("a time step does not converge, however short it is made");
     }
 

@@ -1,20 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeStepRetry.H"
+#include "patchState.H"
 #include "surfaceFields.H"
 #include "volFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Call f with each field of a type that is registered on a mesh, but for old
+//  levels: these are registered too, under names of their own
+template<class GeoField, class Function>
+void forFields(fvMesh& mesh, const Function& f)
+{
+    HashTable<GeoField*> fields(mesh.lookupClass<GeoField>());
+
+    forAllIters(fields, iter)
+    {
+        if (!iter.val()->name().ends_with("_0"))
+        {
+            f(*iter.val());
+        }
+    }
+}
+
+
+//- Give the fields of a type that a run goes on from an old level
+template<class GeoField>
+void keepOldLevels(fvMesh& mesh)
+{
+    forFields<GeoField>(mesh, [](GeoField& field)
+    {
+        if (field.writeOpt() == IOobject::AUTO_WRITE)
+        {
+            field.oldTime();
+        }
+    });
+}
+
+
+//- Call a function of all patches with a state of their own
+template<class GeoField>
+void forPatchStates(fvMesh& mesh, void (patchState::*step)())
+{
+    forFields<GeoField>(mesh, [=](GeoField& field)
+    {
+        for (auto& patch : field.boundaryFieldRef())
+        {
+            if (patchState* state = dynamic_cast<patchState*>(&patch))
+            {
+                (state->*step)();
+            }
+        }
+    });
+}
+
+
+//- Time with another length of the last step
+class timeAfter
+:
+    public TimeState
+{
+public:
+
+    timeAfter(const TimeState& time, const scalar deltaT)
+    :
+        TimeState(time)
+    {
+        deltaT_ = deltaTSave_ = deltaT;
+    }
+};
+
+} // End anonymous namespace
+
 
 template<class GeoField>
 void Foam::timeStepRetry::restore(const bool shift)
 {
-    HashTable<GeoField*> fields(mesh_.lookupClass<GeoField>());
-
-    forAllIters(fields, iter)
+    forFields<GeoField>(mesh_, [=](GeoField& field)
     {
-        GeoField& field = *iter.val();
-
-        // Old levels are registered too, under names of their own
-        if (field.nOldTimes() && !field.name().ends_with("_0"))
+        if (field.nOldTimes())
         {
             field == field.oldTime();
 
@@ -23,7 +90,7 @@ void Foam::timeStepRetry::restore(const bool shift)
                 field.oldTime() == field.oldTime().oldTime();
             }
         }
-    }
+    });
 }
 
 
@@ -33,6 +100,17 @@ void Foam::timeStepRetry::restoreFields(const bool shift)
     restore<volVectorField>(shift);
     restore<volSymmTensorField>(shift);
     restore<surfaceScalarField>(shift);
+
+    forPatchStates<volScalarField>(mesh_, &patchState::undoStep);
+    forPatchStates<volVectorField>(mesh_, &patchState::undoStep);
+}
+
+
+void Foam::timeStepRetry::saveState()
+{
+    state_.set("halvings", halvings_);
+    state_.set("end", fullEnd_);
+    state_.set("deltaT", runTime_.deltaTValue());
 }
 
 
@@ -42,9 +120,25 @@ Foam::timeStepRetry::timeStepRetry(fvMesh& mesh, Time& runTime)
     runTime_(runTime),
     start_(runTime),
     fullDeltaT_(runTime.deltaTValue()),
-    fullEnd_(runTime.value()),
-    halvings_(0)
-{}
+    state_("timeStepRetry", mesh),
+    fullEnd_(state_.lookupOrDefault<scalar>("end", runTime.value())),
+    halvings_(state_.lookupOrDefault<label>("halvings", 0))
+{
+    keepOldLevels<volScalarField>(mesh_);
+    keepOldLevels<volVectorField>(mesh_);
+    keepOldLevels<volSymmTensorField>(mesh_);
+
+    if
+    (
+        halvings_
+     && !runTime.controlDict().lookupOrDefault("adjustTimeStep", false)
+    )
+    {
+        // Time has taken both from controlDict
+        static_cast<TimeState&>(runTime_) =
+            timeAfter(runTime_, state_.get<scalar>("deltaT"));
+    }
+}
 
 
 void Foam::timeStepRetry::begin(const bool adjustable)
@@ -65,7 +159,11 @@ void Foam::timeStepRetry::begin(const bool adjustable)
         fullEnd_ = runTime_.value() + fullDeltaT_;
     }
 
+    saveState();
     start_ = runTime_;
+
+    forPatchStates<volScalarField>(mesh_, &patchState::beginStep);
+    forPatchStates<volVectorField>(mesh_, &patchState::beginStep);
 }
 
 
@@ -81,6 +179,7 @@ bool Foam::timeStepRetry::halve()
     ++halvings_;
     static_cast<TimeState&>(runTime_) = start_;
     runTime_.setDeltaT(deltaT, false);
+    saveState();
     ++runTime_;
 
     // The time index is again that of the fields: none stores its old time

@@ -96,6 +96,22 @@ Foam::fixedTractionVelocityFvPatchVectorField::patchValue() const
 }
 
 
+void Foam::fixedTractionVelocityFvPatchVectorField::beginStep()
+{
+    oldGradient_ = gradient_;
+    oldFraction_ = fraction_;
+    oldRefValue_ = refValue_;
+}
+
+
+void Foam::fixedTractionVelocityFvPatchVectorField::undoStep()
+{
+    gradient_ = oldGradient_;
+    fraction_ = oldFraction_;
+    refValue_ = oldRefValue_;
+}
+
+
 Foam::tmp<Foam::vectorField>
 Foam::fixedTractionVelocityFvPatchVectorField::snGrad() const
 {
