@@ -108,9 +108,14 @@ void Foam::timeStepRetry::restoreFields(const bool shift)
 
 void Foam::timeStepRetry::saveState()
 {
-    state_.set("halvings", halvings_);
-    state_.set("end", fullEnd_);
-    state_.set("deltaT", runTime_.deltaTValue());
+    state_.clear();
+
+    if (halvings_)
+    {
+        state_.set("halvings", halvings_);
+        state_.set("end", fullEnd_);
+        state_.set("deltaT", runTime_.deltaTValue());
+    }
 }
 
 
