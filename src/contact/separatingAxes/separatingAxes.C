@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "separatingAxes.H"
-#include "boundBox.H"
 #include "mathematicalConstants.H"
-
-bool Foam::separatingAxes::valid(const bodyShape& shape)
-{
-    return shape.type() == "box" || shape.type() == "cylinder";
-}
-
 
 Foam::separatingAxes::solid Foam::separatingAxes::make
 (
@@ -16,71 +9,24 @@ Foam::separatingAxes::solid Foam::separatingAxes::make
     const vector& shift
 )
 {
-    pointField x;
-    faceList faces;
-    body.shape().surface(x, faces);
-
     const tensor R(body.state().orientation.R());
-    solid s;
+    const point centre(body.state().position + shift);
+    bodyShape::edgedSides sides(body.shape().sides());
 
-    s.centre = body.state().position + shift;
-    s.half = 0.5*boundBox(x, false).span();
-    s.round = body.shape().type() == "cylinder";
-    for (direction i = 0; i < 3; ++i)
+    for (DynamicList<vector>* directions : {&sides.faces, &sides.edges})
     {
-        vector axis(Zero);
-        axis[i] = 1;
-        s.axes[i] = R & axis;
-    }
-
-    return s;
-}
-
-
-Foam::point Foam::separatingAxes::solid::support(const vector& n) const
-{
-    point x(centre);
-
-    if (round)
-    {
-        const vector& axis = axes[2];
-        const vector across(n - (n & axis)*axis);
-
-        // On the end, to rounding, any point of it is
-        if (mag(across) > 1e-9)
+        for (vector& direction : *directions)
         {
-            x += (half.x()/mag(across))*across;
+            direction = R & direction;
         }
     }
-
-    for (direction i = round ? 2 : 0; i < 3; ++i)
+    for (point& corner : sides.corners)
     {
-        x += ((n & axes[i]) < 0 ? -half[i] : half[i])*axes[i];
+        corner = centre + (R & corner);
     }
+    sides.mantle = R & sides.mantle;
 
-    return x;
-}
-
-
-Foam::DynamicList<Foam::vector> Foam::separatingAxes::solid::edges() const
-{
-    return round ? DynamicList<vector>(1, axes[2]) : faces();
-}
-
-
-Foam::DynamicList<Foam::vector> Foam::separatingAxes::solid::faces() const
-{
-    DynamicList<vector> normals;
-
-    for (direction i = round ? 2 : 0; i < 3; ++i)
-    {
-        if (half[i] > 0)
-        {
-            normals.append(axes[i]);
-        }
-    }
-
-    return normals;
+    return solid{body.shape(), centre, R, sides};
 }
 
 
@@ -92,7 +38,8 @@ bool Foam::separatingAxes::attempt(const vector& direction)
     // Parallel edges have no normal, and rounding is no gain
     if (length > 1e-6)
     {
-        const scalar least = 1e-9*(cmptMax(a_.half) + cmptMax(b_.half));
+        const scalar least =
+            1e-9*(a_.shape.boundingRadius() + b_.shape.boundingRadius());
 
         for (const scalar sign : {1, -1})
         {
@@ -113,44 +60,29 @@ bool Foam::separatingAxes::attempt(const vector& direction)
 }
 
 
-void Foam::separatingAxes::tryMantle(const solid& cylinder, const solid& other)
+void Foam::separatingAxes::tryMantle(const solid& round, const solid& other)
 {
-    const vector& axis = cylinder.axes[2];
+    const vector& axis = round.sides.mantle;
     auto towards = [&](const point& x)
     {
-        const vector apart((x - cylinder.centre)/cylinder.half.x());
+        const vector apart((x - round.centre)/round.shape.boundingRadius());
 
         attempt(apart - (apart & axis)*axis);
     };
 
     towards(other.centre);
-    if (other.round)
+    for (const point& corner : other.sides.corners)
     {
-        return;
-    }
-
-    for (label i = 0; i < 8; ++i)
-    {
-        vector corner(other.half);
-        for (direction k = 0; k < 3; ++k)
-        {
-            corner[k] *= (i >> k) & 1 ? -1 : 1;
-        }
-
-        towards
-        (
-            other.centre + corner.x()*other.axes[0]
-          + corner.y()*other.axes[1] + corner.z()*other.axes[2]
-        );
+        towards(corner);
     }
 }
 
 
 void Foam::separatingAxes::tryEdges()
 {
-    for (const vector& ea : a_.edges())
+    for (const vector& ea : a_.sides.edges)
     {
-        for (const vector& eb : b_.edges())
+        for (const vector& eb : b_.sides.edges)
         {
             if (attempt(ea^eb))
             {
@@ -178,8 +110,12 @@ void Foam::separatingAxes::improve()
     for (scalar step = 0.2; step > 1e-4; turn += 1)
     {
         // Not along the normal
-        const bool first = mag(normal & a_.axes[0]) < 0.8;
-        const vector t(normalised(normal^a_.axes[first ? 0 : 1]));
+        const vector axis(a_.R & vector(1, 0, 0));
+        const bool first = mag(normal & axis) < 0.8;
+        const vector t
+        (
+            normalised(normal^(first ? axis : a_.R & vector(0, 1, 0)))
+        );
         const vector s(normal^t);
         const vector n(normal);
         bool better = false;
@@ -215,13 +151,13 @@ Foam::separatingAxes::separatingAxes
 {
     for (const solid* s : {&a_, &b_})
     {
-        for (const vector& n : s->faces())
+        for (const vector& n : s->sides.faces)
         {
             attempt(n);
         }
     }
 
-    if (cmptMin(a_.half) <= 0)
+    if (a_.sides.edges.empty() && b_.sides.edges.empty())
     {
         return;
     }
@@ -229,17 +165,17 @@ Foam::separatingAxes::separatingAxes
     attempt(seen);
     attempt(b_.centre - a_.centre);
 
-    if (a_.round)
+    if (a_.hasMantle())
     {
         tryMantle(a_, b_);
     }
-    if (b_.round)
+    if (b_.hasMantle())
     {
         tryMantle(b_, a_);
     }
     tryEdges();
 
-    if (a_.round || b_.round)
+    if (a_.hasMantle() || b_.hasMantle())
     {
         improve();
     }

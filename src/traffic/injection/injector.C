@@ -127,34 +127,24 @@ std::shared_ptr<const Foam::bodyShape> Foam::injector::scaledShape
 ) const
 {
     dictionary shape(dict_.subDict("shape"));
-
-    for (const char* key : {"radius", "length", "size", "semiAxes", "scale"})
+    auto make = [&]()
     {
-        if (shape.found(key))
-        {
-            const tokenList& given = shape.lookup(key);
-            tokenList tokens(given);
+        return std::shared_ptr<const bodyShape>
+        (
+            bodyShape::New(shape, space_).ptr()
+        );
+    };
 
-            for (token& t : tokens)
-            {
-                if (t.isNumber())
-                {
-                    t = token(size*t.number());
-                }
-            }
-            shape.set(new primitiveEntry(key, std::move(tokens)));
-        }
+    if (!size_.valid() && !dict_.found("size"))
+    {
+        return make();
     }
 
-    if (shape.get<word>("type") == "triSurface" && !shape.found("scale"))
-    {
-        shape.add("scale", size);
-    }
+    // Which keywords are lengths any body of the kind knows
+    const std::shared_ptr<const bodyShape> any(shape_ ? shape_ : make());
+    any->scaleEntries(shape, size);
 
-    return std::shared_ptr<const bodyShape>
-    (
-        bodyShape::New(shape, space_).ptr()
-    );
+    return make();
 }
 
 

@@ -109,3 +109,34 @@ Foam::point Foam::bodyShape::support(const vector&) const
 
     return Zero;
 }
+
+
+void Foam::bodyShape::multiply
+(
+    dictionary& dict,
+    const word& key,
+    const scalar factor
+)
+{
+    if (dict.found(key))
+    {
+        tokenList tokens(static_cast<const tokenList&>(dict.lookup(key)));
+
+        for (token& t : tokens)
+        {
+            if (t.isNumber())
+            {
+                t = token(factor*t.number());
+            }
+        }
+        dict.set(new primitiveEntry(key, std::move(tokens)));
+    }
+}
+
+
+void Foam::bodyShape::scaleEntries(dictionary& dict, const scalar) const
+{
+    FatalIOErrorInFunction(dict)
+        << "The shape 'type " << type() << "' in '" << dict.dictName()
+        << "' cannot be scaled: leave out 'size'" << nl << exit(FatalIOError);
+}

@@ -117,6 +117,55 @@ Foam::symmTensor Foam::bodyShapes::box::inertia() const
 }
 
 
+Foam::bodyShape::edgedSides Foam::bodyShapes::box::sides() const
+{
+    edgedSides s;
+    const vector half(halfInSpace());
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (half[i] > 0)
+        {
+            vector axis(Zero);
+            axis[i] = 1;
+            s.faces.append(axis);
+        }
+    }
+
+    // In the plane the edges are points
+    if (emptyDir_ != vector::zero)
+    {
+        return s;
+    }
+    s.edges = s.faces;
+
+    for (label i = 0; i < 8; ++i)
+    {
+        point corner(half);
+        for (direction k = 0; k < 3; ++k)
+        {
+            corner[k] *= (i >> k) & 1 ? -1 : 1;
+        }
+        s.corners.append(corner);
+    }
+
+    return s;
+}
+
+
+Foam::point Foam::bodyShapes::box::support(const vector& n) const
+{
+    point x(halfInSpace());
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        x[i] *= n[i] < 0 ? -1 : 1;
+    }
+
+    return x;
+}
+
+
 void Foam::bodyShapes::box::surface
 (
     pointField& points,

@@ -91,6 +91,30 @@ Foam::symmTensor Foam::bodyShapes::cylinder::inertia() const
 }
 
 
+Foam::bodyShape::edgedSides Foam::bodyShapes::cylinder::sides() const
+{
+    edgedSides s;
+
+    s.mantle = vector(0, 0, 1);
+    s.faces.append(s.mantle);
+    s.edges.append(s.mantle);
+
+    return s;
+}
+
+
+Foam::point Foam::bodyShapes::cylinder::support(const vector& n) const
+{
+    const scalar across = Foam::hypot(n.x(), n.y());
+    const scalar z = n.z() < 0 ? -half_ : half_;
+
+    // Normal to an end, but for rounding, any point of that is farthest
+    return across > 1e-9
+      ? point(radius_*n.x()/across, radius_*n.y()/across, z)
+      : point(0, 0, z);
+}
+
+
 void Foam::bodyShapes::cylinder::surface
 (
     pointField& points,

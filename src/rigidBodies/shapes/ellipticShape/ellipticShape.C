@@ -132,3 +132,18 @@ Foam::point Foam::bodyShapes::ellipticShape::support(const vector& n) const
 
     return cmptMultiply(inPlane(semiAxes_), scaled)/(mag(scaled) + VSMALL);
 }
+
+
+Foam::scalar Foam::bodyShapes::ellipticShape::contactRadius
+(
+    const vector& n
+) const
+{
+    const vector an(cmptMultiply(inPlane(semiAxes_), n));
+    const scalar h = mag(an)/mag(inPlane(n));
+
+    // The empty component counts as one
+    const scalar product = cmptProduct(inPlane(semiAxes_) + emptyDir_);
+
+    return emptyDir_ == vector::zero ? product/sqr(h) : sqr(product)/pow3(h);
+}
