@@ -11,17 +11,25 @@ namespace
 {
 
 const std::string sphere("type sphere; radius 0.5;");
-const std::string law
+const std::string pairs
 (
-    "restitution 0.9; friction 0; collisionTime 0.01; pairs {"
+    "pairs {"
     " rape-steel { restitution 0.6; friction 0.3; }"
     " rape-rape { restitution 0.4; } wheat-rape { friction 0.2; } }"
 );
 
 
-contactMaterials materials(const std::string& text)
+contactMaterials materials
+(
+    const std::string& text,
+    const std::string& entries = "restitution 0.9; friction 0.1;"
+)
 {
-    return contactMaterials(testTools::dict(text), {0.9, 0.1});
+    return contactMaterials
+    (
+        testTools::dict(entries + text),
+        contactLaw::New(testTools::dict(entries), 1000)()
+    );
 }
 
 } // End anonymous namespace
@@ -40,7 +48,7 @@ TEST_CASE("Restitution by material", "[contact]")
         expectation{"material rape;", "", 0.9},
         expectation{"", "", 0.9}
     );
-    Scene scene(law);
+    Scene scene("restitution 0.9; friction 0; collisionTime 0.01;" + pairs);
     const vector none(Zero);
     scene.add
     (
@@ -80,7 +88,7 @@ TEST_CASE("Coefficients of pairs and walls", "[contact]")
 {
     const contactMaterials read
     (
-        materials(law + "walls { \"tube.*\" steel; bend rape; }")
+        materials(pairs + "walls { \"tube.*\" steel; bend rape; }")
     );
     const label rape = read.number("rape"), steel = read.number("steel");
 
@@ -91,7 +99,7 @@ TEST_CASE("Coefficients of pairs and walls", "[contact]")
     CHECK(read.pair(rape, rape).restitution == 0.4);
     CHECK(read.pair(rape, rape).friction == 0.1);
     CHECK(read.pair(rape, -1).restitution == 0.9);
-    CHECK(read.largestRestitution() == 0.9);
+    CHECK(read.largest().restitution == 0.9);
     CHECK
     (
         read.ofWalls({"tube1", "", "bend", "tubeIn", "lid"})
@@ -124,14 +132,14 @@ TEST_CASE("Wrong materials", "[contact]")
     );
     CHECK_THAT
     (
-        refused(law + "walls { tube stel; }"),
+        refused(pairs + "walls { tube stel; }"),
         Contains("nearest valid one is 'steel'")
     );
     CHECK_THAT
     (
         testTools::messageOf
         ([]{
-            materials(law + "walls { tbue steel; }").ofWalls({"tube", "lid"});
+            materials(pairs + "walls { tbue steel; }").ofWalls({"tube", "lid"});
         }),
         Contains("nearest valid one is 'tube'")
     );

@@ -10,7 +10,8 @@ Foam::contactCoefficients::contactCoefficients
 )
 :
     restitution(keywords::positiveOr(dict, "restitution", deflt.restitution)),
-    friction(dict.lookupOrDefault<scalar>("friction", deflt.friction))
+    friction(dict.lookupOrDefault<scalar>("friction", deflt.friction)),
+    own(deflt.own)
 {
     if (restitution > 1 || friction < 0)
     {

@@ -4,19 +4,31 @@
 #include "checkKeywords.H"
 #include "wordRe.H"
 
-const Foam::wordList Foam::contactMaterials::keywords({"pairs", "walls"});
+const Foam::wordList Foam::contactMaterials::keywords
+({
+    "pairs", "materials", "walls"
+});
 
 
 Foam::contactMaterials::contactMaterials
 (
     const dictionary& dict,
-    const contactCoefficients& deflt
+    const contactLaw& law
 )
 :
-    default_(deflt),
-    largestRestitution_(deflt.restitution)
+    largest_(law.coefficients())
 {
-    readPairs(dict.subOrEmptyDict("pairs"));
+    const dictionary& pairs = dict.subOrEmptyDict("pairs");
+    const dictionary& materials = dict.subOrEmptyDict("materials");
+
+    readNames(pairs, materials);
+    pairs_.resize
+    (
+        names_.size() + 1,
+        List<contactCoefficients>(names_.size() + 1, law.coefficients())
+    );
+    readPairs(pairs);
+    combine(dict, materials, law);
 
     walls_ = dict.subOrEmptyDict("walls");
     for (const entry& e : walls_)
@@ -51,7 +63,11 @@ Foam::Pair<Foam::word> Foam::contactMaterials::names
 }
 
 
-void Foam::contactMaterials::readPairs(const dictionary& pairs)
+void Foam::contactMaterials::readNames
+(
+    const dictionary& pairs,
+    const dictionary& materials
+)
 {
     for (const word& key : pairs.sortedToc())
     {
@@ -64,12 +80,18 @@ void Foam::contactMaterials::readPairs(const dictionary& pairs)
         }
     }
 
-    pairs_.resize
-    (
-        names_.size(),
-        List<contactCoefficients>(names_.size(), default_)
-    );
+    for (const word& name : materials.sortedToc())
+    {
+        if (!names_.found(name))
+        {
+            names_.append(name);
+        }
+    }
+}
 
+
+void Foam::contactMaterials::readPairs(const dictionary& pairs)
+{
     for (const word& key : pairs.sortedToc())
     {
         const Pair<word> both(names(pairs, key));
@@ -86,9 +108,47 @@ void Foam::contactMaterials::readPairs(const dictionary& pairs)
                 << exit(FatalIOError);
         }
 
-        pairs_[a][b] = pairs_[b][a] = contactCoefficients(dict, default_);
-        largestRestitution_ =
-            max(largestRestitution_, pairs_[a][b].restitution);
+        pairs_[a][b] = pairs_[b][a] = contactCoefficients(dict, pairs_[a][b]);
+    }
+}
+
+
+void Foam::contactMaterials::combine
+(
+    const dictionary& dict,
+    const dictionary& materials,
+    const contactLaw& law
+)
+{
+    List<dictionary> entries(pairs_.size(), dict);
+
+    for (const entry& e : materials)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(materials)
+                << "'" << e.keyword() << "' in '" << materials.dictName()
+                << "' must be a dictionary" << nl << exit(FatalIOError);
+        }
+
+        Foam::keywords::check(e.dict(), law.materialKeywords());
+        entries[names_.find(e.keyword())] <<= e.dict();
+    }
+
+    forAll(pairs_, a)
+    {
+        forAll(pairs_, b)
+        {
+            contactCoefficients& both = pairs_[a][b];
+
+            law.combine(entries[a], entries[b], both);
+            largest_.restitution = max(largest_.restitution, both.restitution);
+            largest_.friction = max(largest_.friction, both.friction);
+            forAll(both.own, i)
+            {
+                largest_.own[i] = max(largest_.own[i], both.own[i]);
+            }
+        }
     }
 }
 

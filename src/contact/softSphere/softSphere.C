@@ -22,14 +22,18 @@ Foam::contactModels::softSphere::softSphere
     const lubricationModel& lubrication
 )
 :
-    law_(dict, rho),
-    materials_(dict, law_.coefficients()),
+    law_(contactLaw::New(dict, rho)),
+    materials_(dict, law_()),
     lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
-    wordList valid({"type", "subSteps", "largestOverlap"});
-    valid.append(springDashpot::keywords);
+    wordList valid
+    ({
+        "type", "law", "subSteps", "largestOverlap", "restitution", "friction"
+    });
+    valid.append(law_->keywords());
+    valid.append(law_->materialKeywords());
     valid.append(contactMaterials::keywords);
 
     keywords::check(dict, valid);
@@ -182,6 +186,8 @@ void Foam::contactModels::softSphere::writeState(Ostream& os) const
 
 void Foam::contactModels::softSphere::report(Ostream& os) const
 {
-    os  << "softSphere, ";
-    law_.report(os);
+    os  << "softSphere, " << law_->type() << ", restitution "
+        << law_->coefficients().restitution << ", friction "
+        << law_->coefficients().friction << ", ";
+    law_->report(os);
 }

@@ -196,18 +196,13 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
             approach += speed(b);
         }
 
-        shortest = min
-        (
-            shortest,
-            law_.collisionTime
-            (
-                materials_.largestRestitution(),
-                1/inverseMass,
-                dt,
-                approach,
-                radius(bodies, c)
-            )
-        );
+        contactLaw::contact touch;
+        touch.mass = 1/inverseMass;
+        touch.halfWidth = radius(bodies, c);
+        touch.radius = touch.halfWidth;
+        touch.coefficients = materials_.largest();
+
+        shortest = min(shortest, law_->collisionTime(touch, approach, dt));
 
         for (const contactHistory::record& r : c.records)
         {

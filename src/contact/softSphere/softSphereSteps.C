@@ -58,6 +58,27 @@ Foam::scalar Foam::contactModels::softSphere::radius
 }
 
 
+Foam::scalar Foam::contactModels::softSphere::contactRadius
+(
+    const PtrList<immersedBody>& bodies,
+    const candidate& c,
+    const vector& normal
+) const
+{
+    auto of = [&](const label mover, const vector& n)
+    {
+        const immersedBody& body = bodies[movers_[mover].body];
+        const tensor R(body.state().orientation.R());
+
+        return body.shape().contactRadius(R.T() & n);
+    };
+    const scalar a = of(c.a, normal);
+
+    // Walls are flat
+    return c.b < 0 ? a : 1/(1/a + 1/of(c.b, -normal));
+}
+
+
 void Foam::contactModels::softSphere::sumForces(const bool remember)
 {
     for (mover& m : movers_)
@@ -71,7 +92,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
         vector spring(c.records[t.record].spring);
         const vector F
         (
-            law_.force
+            law_->force
             (
                 t.contact,
                 relativeVelocity(c, t.position, t.wallU),
@@ -146,7 +167,7 @@ void Foam::contactModels::softSphere::sumLosses(const scalar h)
             )
         );
 
-        energy_.dashpots += h*law_.dashpotPower(t.contact, U & n);
+        energy_.dashpots += h*law_->dashpotPower(t.contact, U & n);
         energy_.tangential -= h*(t.force & (U - (U & n)*n));
     }
 }
@@ -161,9 +182,12 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
             relativeVelocity(c, t.position, t.wallU) & t.contact.normal;
         const scalar overlap = max(0.5*h*closing - t.gap, scalar(0));
 
-        energy_.normalSprings += law_.normalEnergy(t.contact, overlap);
+        energy_.normalSprings += law_->normalEnergy(t.contact, overlap);
         energy_.tangentialSprings +=
-            law_.tangentialEnergy(t.contact, c.records[t.record].spring);
+            law_->tangentialEnergy
+            (
+                t.contact, overlap, c.records[t.record].spring
+            );
     }
 }
 

@@ -145,6 +145,8 @@ void Foam::contactModels::softSphere::addTouch
     t.contact.dt = h;
     t.contact.mass = 1/inverse.first();
     t.contact.tangentialMass = 1/inverse.second();
+    t.contact.radius = contactRadius(bodies, c, point.normal);
+    t.contact.halfWidth = radius(bodies, c);
     t.contact.coefficients = coefficients(c, point);
 
     if (!r.live())
@@ -153,14 +155,7 @@ void Foam::contactModels::softSphere::addTouch
         r.spring = Zero;
         r.time = max
         (
-            law_.collisionTime
-            (
-                t.contact.coefficients.restitution,
-                t.contact.mass,
-                dt,
-                mag(closing),
-                radius(bodies, c)
-            ),
+            law_->collisionTime(t.contact, mag(closing), dt),
             0.5*subSteps_*h
         );
     }

@@ -1,40 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "springDashpot.H"
+#include "addToRunTimeSelectionTable.H"
 #include "checkKeywords.H"
 #include "mathematicalConstants.H"
 
-const Foam::wordList Foam::springDashpot::keywords
-({
-    "restitution", "friction", "collisionTime", "stiffness", "timeSteps",
-    "tangentialRatio"
-});
-
-
-namespace
+namespace Foam
 {
-
-//- Rotate the elongation of the spring with the plane of contact
-Foam::vector inPlane(const Foam::vector& spring, const Foam::vector& n)
+namespace contactLaws
 {
-    const Foam::vector flat(spring - (spring & n)*n);
-    const Foam::scalar length = Foam::mag(flat);
-
-    return length > Foam::VSMALL
-      ? Foam::vector(flat*(Foam::mag(spring)/length))
-      : Foam::vector::zero;
+    defineTypeNameAndDebug(springDashpot, 0);
+    addToRunTimeSelectionTable(contactLaw, springDashpot, dictionary);
+}
 }
 
-} // End anonymous namespace
 
-
-Foam::springDashpot::springDashpot(const dictionary& dict, const scalar rho)
+Foam::contactLaws::springDashpot::springDashpot
+(
+    const dictionary& dict,
+    const scalar rho
+)
 :
-    coefficients_(dict, contactCoefficients{0.88, 0.25}),
-    time_(keywords::positiveOr(dict, "collisionTime", 1)),
-    stiffness_(keywords::positiveOr(dict, "stiffness", 1)),
-    timeSteps_(keywords::positiveOr(dict, "timeSteps", 4)),
-    tangentialRatio_(keywords::positiveOr(dict, "tangentialRatio", 1))
+    contactLaw(dict),
+    time_(Foam::keywords::positiveOr(dict, "collisionTime", 1)),
+    stiffness_(Foam::keywords::positiveOr(dict, "stiffness", 1)),
+    timeSteps_(Foam::keywords::positiveOr(dict, "timeSteps", 4)),
+    tangentialRatio_
+    (
+        Foam::keywords::positiveOr(dict, "tangentialRatio", 1)
+    )
 {
     label nGiven = 0;
     for (const char* key : {"collisionTime", "stiffness", "timeSteps"})
@@ -56,19 +50,26 @@ Foam::springDashpot::springDashpot(const dictionary& dict, const scalar rho)
 }
 
 
-Foam::scalar Foam::springDashpot::square(const scalar e)
+Foam::scalar Foam::contactLaws::springDashpot::square(const scalar e)
 {
     return sqr(constant::mathematical::pi) + sqr(log(e));
 }
 
 
-Foam::scalar Foam::springDashpot::collisionTime
+Foam::wordList Foam::contactLaws::springDashpot::keywords() const
+{
+    return wordList
+    ({
+        "collisionTime", "stiffness", "timeSteps", "tangentialRatio"
+    });
+}
+
+
+Foam::scalar Foam::contactLaws::springDashpot::collisionTime
 (
-    const scalar restitution,
-    const scalar mass,
-    const scalar dt,
+    const contact& c,
     const scalar speed,
-    const scalar radius
+    const scalar dt
 ) const
 {
     if (time_ > 0)
@@ -78,38 +79,50 @@ Foam::scalar Foam::springDashpot::collisionTime
 
     if (stiffness_ > 0)
     {
-        return Foam::sqrt(mass*square(restitution)/stiffness_);
+        return Foam::sqrt
+        (
+            c.mass*square(c.coefficients.restitution)/stiffness_
+        );
     }
 
     // Of an elastic collision: overlap = speed T/pi
     return min
     (
         timeSteps_*dt,
-        0.05*radius*constant::mathematical::pi/max(speed, VSMALL)
+        0.05*c.halfWidth*constant::mathematical::pi/max(speed, VSMALL)
     );
 }
 
 
-Foam::scalar Foam::springDashpot::stiffness(const contact& c) const
+Foam::scalar Foam::contactLaws::springDashpot::stiffness
+(
+    const contact& c
+) const
 {
     return c.mass*square(c.coefficients.restitution)/sqr(c.time);
 }
 
 
-Foam::scalar Foam::springDashpot::tangentialStiffness(const contact& c) const
+Foam::scalar Foam::contactLaws::springDashpot::tangentialStiffness
+(
+    const contact& c
+) const
 {
     return stiffness(c)
        *(tangentialRatio_ > 0 ? tangentialRatio_ : c.tangentialMass/c.mass);
 }
 
 
-Foam::scalar Foam::springDashpot::damping(const contact& c) const
+Foam::scalar Foam::contactLaws::springDashpot::damping
+(
+    const contact& c
+) const
 {
     return -2*c.mass*log(c.coefficients.restitution)/c.time;
 }
 
 
-Foam::scalar Foam::springDashpot::dashpotPower
+Foam::scalar Foam::contactLaws::springDashpot::dashpotPower
 (
     const contact& c,
     const scalar closing
@@ -119,7 +132,7 @@ Foam::scalar Foam::springDashpot::dashpotPower
 }
 
 
-Foam::scalar Foam::springDashpot::normalEnergy
+Foam::scalar Foam::contactLaws::springDashpot::normalEnergy
 (
     const contact& c,
     const scalar overlap
@@ -129,9 +142,10 @@ Foam::scalar Foam::springDashpot::normalEnergy
 }
 
 
-Foam::scalar Foam::springDashpot::tangentialEnergy
+Foam::scalar Foam::contactLaws::springDashpot::tangentialEnergy
 (
     const contact& c,
+    const scalar,
     const vector& spring
 ) const
 {
@@ -139,7 +153,7 @@ Foam::scalar Foam::springDashpot::tangentialEnergy
 }
 
 
-Foam::vector Foam::springDashpot::force
+Foam::vector Foam::contactLaws::springDashpot::force
 (
     const contact& c,
     const vector& U,
@@ -150,38 +164,19 @@ Foam::vector Foam::springDashpot::force
     const scalar normalForce =
         stiffness(c)*c.overlap + damping(c)*closing*c.fraction;
 
-    const scalar kt = tangentialStiffness(c);
-    const scalar e = c.coefficients.restitution;
-    const scalar gammat =
-        -2*log(e)/Foam::sqrt(square(e))*Foam::sqrt(kt*c.tangentialMass);
-
-    const vector Ut(U - closing*c.normal);
-    const vector travel(c.dt*c.fraction*Ut);
-    const vector begin(inPlane(spring, c.normal));
-    const vector trial
-    (
-       -c.fraction*(kt*(begin + 0.5*travel) + gammat*Ut)
-    );
-    const scalar limit = c.coefficients.friction*max(normalForce, scalar(0));
-
-    if (mag(trial) <= limit)
-    {
-        spring = begin + travel;
-        return trial - normalForce*c.normal;
-    }
-
-    // It slides: the spring holds what the dashpot leaves of the limit
-    const vector friction((limit/mag(trial))*trial);
-    spring = -(friction/c.fraction + gammat*Ut)/kt;
-
-    return friction - normalForce*c.normal;
+    return
+        tangentialForce
+        (
+            c, U, tangentialStiffness(c), normalForce,
+            inPlane(spring, c.normal), spring
+        )
+      - normalForce*c.normal;
 }
 
 
-void Foam::springDashpot::report(Ostream& os) const
+void Foam::contactLaws::springDashpot::report(Ostream& os) const
 {
-    os  << "restitution " << coefficients_.restitution << ", friction "
-        << coefficients_.friction << ", collision time ";
+    os  << "collision time ";
 
     if (time_ > 0)
     {
