@@ -2,6 +2,7 @@
 
 #include "Clift.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
 
 namespace Foam
 {
@@ -13,8 +14,10 @@ namespace dragModels
 }
 
 
-Foam::dragModels::Clift::Clift(const dictionary&)
-{}
+Foam::dragModels::Clift::Clift(const dictionary& dict)
+{
+    keywords::check(dict, {"type"});
+}
 
 
 Foam::scalar Foam::dragModels::Clift::K(const scalar Re, const scalar) const

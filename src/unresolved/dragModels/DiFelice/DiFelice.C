@@ -2,6 +2,7 @@
 
 #include "DiFelice.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
 
 namespace Foam
 {
@@ -13,8 +14,10 @@ namespace dragModels
 }
 
 
-Foam::dragModels::DiFelice::DiFelice(const dictionary&)
-{}
+Foam::dragModels::DiFelice::DiFelice(const dictionary& dict)
+{
+    keywords::check(dict, {"type"});
+}
 
 
 Foam::scalar Foam::dragModels::DiFelice::K

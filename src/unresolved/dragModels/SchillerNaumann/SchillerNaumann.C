@@ -2,6 +2,7 @@
 
 #include "SchillerNaumann.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
 
 namespace Foam
 {
@@ -13,8 +14,10 @@ namespace dragModels
 }
 
 
-Foam::dragModels::SchillerNaumann::SchillerNaumann(const dictionary&)
-{}
+Foam::dragModels::SchillerNaumann::SchillerNaumann(const dictionary& dict)
+{
+    keywords::check(dict, {"type"});
+}
 
 
 Foam::scalar Foam::dragModels::SchillerNaumann::K

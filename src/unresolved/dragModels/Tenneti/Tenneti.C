@@ -2,6 +2,7 @@
 
 #include "Tenneti.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkKeywords.H"
 
 namespace Foam
 {
@@ -13,8 +14,10 @@ namespace dragModels
 }
 
 
-Foam::dragModels::Tenneti::Tenneti(const dictionary&)
-{}
+Foam::dragModels::Tenneti::Tenneti(const dictionary& dict)
+{
+    keywords::check(dict, {"type"});
+}
 
 
 Foam::scalar Foam::dragModels::Tenneti::K

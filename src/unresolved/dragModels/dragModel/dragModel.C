@@ -12,8 +12,6 @@ namespace Foam
 
 Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
 {
-    keywords::check(dict, {"type"});
-
     const word type
     (
         keywords::choice

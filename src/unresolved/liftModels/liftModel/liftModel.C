@@ -39,7 +39,6 @@ Foam::PtrList<Foam::liftModel> Foam::liftModel::New(const dictionary& dict)
     }
 
     const dictionary& lift = dict.subDict("lift");
-    keywords::check(lift, {"type"});
 
     const wordList names(types(lift));
     wordList valid(dictionaryConstructorTablePtr_->sortedToc());
@@ -65,6 +64,15 @@ Foam::PtrList<Foam::liftModel> Foam::liftModel::New(const dictionary& dict)
             );
         }
     }
+
+    // They share the dictionary
+    wordList keys({"type"});
+
+    for (const liftModel& model : models)
+    {
+        keys.append(model.keywords());
+    }
+    keywords::check(lift, keys);
 
     return models;
 }
