@@ -96,7 +96,11 @@ TEST_CASE("Grains of the library are as heavy and fast as grains", "[grains]")
         // As it is on steel, to the width of what is measured
         const contactMaterials materials
         (
-            all.subDict(one.first), contactCoefficients(1, 0)
+            all.subDict(one.first),
+            contactLaw::New
+            (
+                testTools::dict("restitution 1; friction 0;"), -1
+            )()
         );
         const label number =
             materials.number(body.get<word>("material"), body);

@@ -188,3 +188,38 @@ TEST_CASE("Shapes are refused with a reason", "[shapes]")
     CHECK_THAT(refusal("type cylinder; radius 1; length 0;", threeD),
         Contains("'length 0'") && Contains("greater than 0"));
 }
+
+
+TEST_CASE("Shapes with their lengths scaled", "[shapes]")
+{
+    const auto text = GENERATE
+    (
+        std::string("type sphere; radius 0.5;"),
+        std::string("type ellipsoid; semiAxes (3 2 1);"),
+        std::string("type superellipsoid; semiAxes (3 2 1); exponents (4 3);"),
+        std::string("type box; size (3 2 1);"),
+        std::string("type cylinder; radius 0.5; length 2;")
+    );
+    const geometricSpace space(-1);
+    const autoPtr<bodyShape> shape
+    (
+        bodyShape::New(testTools::dict(text), space)
+    );
+    dictionary entries(testTools::dict(text));
+
+    shape->scaleEntries(entries, 1.5);
+
+    const autoPtr<bodyShape> scaled(bodyShape::New(entries, space));
+    CHECK(scaled->volume() == Approx(3.375*shape->volume()).epsilon(1e-12));
+    CHECK(scaled->width() == Approx(1.5*shape->width()).epsilon(1e-12));
+
+    // One that does not say how
+    CHECK_THAT
+    (
+        testTools::messageOf
+        (
+            [&]{ shape->bodyShape::scaleEntries(entries, 2); }
+        ),
+        Contains("cannot be scaled")
+    );
+}
