@@ -243,12 +243,13 @@ TEST_CASE("Radii of curvature in contact", "[contact]")
         return testTools::shape(text, in)->contactRadius(n);
     };
     const std::string ellipsoid("type ellipsoid; semiAxes (3 2 1);");
+    const std::string ellipse("type ellipse; semiAxes (2 1);");
 
     // Principal radii at the end of the axis c: a^2/c, b^2/c
     CHECK(radius(ellipsoid, space, {0, 0, 1}) == Approx(6));
     CHECK(radius(ellipsoid, space, {-1, 0, 0}) == Approx(2.0/3.0));
-    CHECK(radius("type ellipse; semiAxes (2 1);", xy, {1, 0, 0}) == Approx(0.5));
-    CHECK(radius("type ellipse; semiAxes (2 1);", xy, {0, 1, 0}) == Approx(4));
+    CHECK(radius(ellipse, xy, {1, 0, 0}) == Approx(0.5));
+    CHECK(radius(ellipse, xy, {0, 1, 0}) == Approx(4));
     CHECK(radius(sphere, space, {0.6, 0.8, 0}) == Approx(0.5));
     CHECK(radius("type box; size (4 1 2);", space, {1, 0, 0}) == Approx(0.5));
 }
