@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
-#include "carrierFlow.H"
-#include "fvcGrad.H"
 
 namespace
 {
-    //- Last outer iteration that is made for loads only, where no body follows
-    //  them: most of what an acceleration makes them lag by is gone then, and
-    //  the rest would take many more
-    const Foam::label lastLoadOuter = 4;
-
     //- Courant number up to which iterations are accelerated, and the part of
     //  the tolerance down to which: slow ones have to go that far
     const Foam::scalar maxAccelerated = 2;
@@ -20,69 +13,55 @@ namespace
 
 Foam::scalar Foam::flowSolvers::immersedFluid::fluidSpeed() const
 {
-    return CoNum*bodies_->minCellSize()/runTime_.deltaTValue();
+    return CoNum*bodies_.minCellSize()/runTime_.deltaTValue();
 }
 
 
-void Foam::flowSolvers::immersedFluid::correctUnresolved
+Foam::scalar Foam::flowSolvers::immersedFluid::speedLimit
 (
-    const ddtCoefficients& ddt
-)
+    const scalar change
+) const
 {
-    if (!bodies_->nUnresolved())
-    {
-        return;
-    }
+    // In a window the Courant number is that relative to it
+    const scalar speed = max
+    (
+        fluidSpeed() + mag(bodies_.window().velocity()),
+        max(change, bodies_.contactSpeed())
+    );
 
-    tmp<volScalarField> tk, tepsilon;
+    // From rest only the first iteration knows how fast it will be
+    return CoNum < SMALL
+      ? max(speed, gMax(mag(U_.primitiveField())()))
+      : speed;
+}
 
-    if (bodies_->disperse())
-    {
-        tk = momentumTransport->k();
-        tepsilon = momentumTransport->epsilon();
-    }
 
-    const tmp<volScalarField> tnu(momentumTransport->nu());
-    const carrierFlow flow
-    {
-        U_,
-        tnu().primitiveField(),
-        viscosity(),
-        tk.valid() ? &tk().primitiveField() : nullptr,
-        tepsilon.valid() ? &tepsilon().primitiveField() : nullptr
-    };
-    const tmp<vectorField> tchange(bodies_->correctUnresolved(ddt, flow));
-
-    if (bodies_->frozen())
-    {
-        return;
-    }
-
-    force_ += tchange();
-    U_.primitiveFieldRef() += tchange()/ddt.c;
-    U_.correctBoundaryConditions();
+bool Foam::flowSolvers::immersedFluid::oneSuffices() const
+{
+    return !bodies_.moving()
+     || bodies_.atRest()
+     || !bodies_.nResolved()
+     || bodies_.steady().active();
 }
 
 
 void Foam::flowSolvers::immersedFluid::bodyCorrector
 (
-    const ddtCoefficients& ddt,
-    const vectorField& dU
+    const ddtCoefficients& ddt
 )
 {
-    const bool free = bodies_->anyFree();
-
+    const bool free = bodies_.anyFree();
     const scalar change = max
     (
-        bodies_->correct
+        bodies_.correct
         (
             ddt,
-            tUEqn(),
-            A0_(),
+            momentum_.matrix(),
+            momentum_.A(),
             U_,
-            drive()(),
-            dU,
-            free && outer_ == 1
+            momentum_.drive(correction_.gradP())(),
+            correction_.dU(),
+            free && iteration_.first()
         ),
         acceleration_.jump()
     );
@@ -91,60 +70,41 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     // others with what keeps it there
     const scalar speed = max
     (
-        max(bodies_->maxSpeed(), bodies_->contactSpeed()),
+        max(bodies_.maxSpeed(), bodies_.contactSpeed()),
         0.01*fluidSpeed()
     );
 
-    change_ = change/max(speed, VSMALL);
-    if (outer_ == 1)
+    if (iteration_.first())
     {
-        firstChange_ = change_;
-
-        // In a window the Courant number is that relative to it
-        speedScale_ = max
-        (
-            fluidSpeed() + mag(bodies_->window().velocity()),
-            max(change, bodies_->contactSpeed())
-        );
-
-        // From rest only the first iteration knows how fast it will be
-        if (CoNum < SMALL)
-        {
-            speedScale_ =
-                max(speedScale_, gMax(mag(U_.primitiveField())()));
-        }
+        iteration_.setLimit(speedLimit(change));
     }
 
     // Through the mesh, the first iteration knows the pressure of the old pose
-    // only. Steps on the way to a steady state need not converge.
-    const bool posed =
-        (outer_ > 1 || bodies_->window().comoving())
-     && outer_ >= bodies_->minOuterCorrectors();
-
-    converged_ = !bodies_->moving()
-     || bodies_->atRest()
-     || !bodies_->nResolved()
-     || bodies_->steady().active()
-     || (posed && change <= bodies_->tolerance()*speed)
-     || (posed && !free && outer_ >= lastLoadOuter);
-
-    // Seldom needed: most steps take two iterations
-    if (free && !converged_ && outer_ > 2)
+    // only
+    iteration_.note
+    (
+        change,
+        speed,
+        free,
+        !iteration_.first() || bodies_.window().comoving()
+    );
+    if (oneSuffices())
     {
-        const scalar fastest = gMax(mag(U_.primitiveField())());
-
-        lost_ = !(max(change, fastest) < 10*speedScale_);
+        iteration_.end();
+    }
+    if (free && iteration_.many())
+    {
+        iteration_.noteFastest(gMax(mag(U_.primitiveField())()));
     }
 
     // What is combined has no flux: of that which iterations change little
-    const bool more =
-        !converged_ && !lost_ && outer_ < bodies_->nOuterCorrectors();
-
     acceleration_.watch
     (
-        outer_,
-        free && more && CoNum < maxAccelerated ? change_ : 0,
-        leastAccelerated*bodies_->tolerance()
+        iteration_.number(),
+        free && iteration_.more() && CoNum < maxAccelerated
+      ? iteration_.change()
+      : 0,
+        leastAccelerated*iteration_.tolerance()
     );
 }
 
@@ -156,9 +116,9 @@ void Foam::flowSolvers::immersedFluid::accelerate(const vectorField& changes)
         return;
     }
 
-    const vector before(bodies_->window().velocity());
+    const vector before(bodies_.window().velocity());
 
-    acceleration_.apply(changes, dU_, *bodies_, p_);
-    gradP_ = fvc::grad(p_);
-    makeRelative(bodies_->window().velocity() - before);
+    acceleration_.apply(changes, correction_.dU(), bodies_, p_);
+    correction_.updateGradP();
+    makeRelative(bodies_.window().velocity() - before);
 }

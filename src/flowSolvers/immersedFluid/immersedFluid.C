@@ -2,12 +2,27 @@
 
 #include "immersedFluid.H"
 #include "addToRunTimeSelectionTable.H"
-#include "compatMesh.H"
+#include "bodyWalls.H"
+#include "frozenFluid.H"
 #include "functionObject.H"
-#include "pairGradient.H"
+#include "fvcFlux.H"
+#include "meshProperties.H"
+#include "unresolvedCoupling.H"
 
 namespace Foam
 {
+
+// Which class solves a case depends on its bodies
+template<>
+autoPtr<flowSolver>
+flowSolver::adddynamicFvMeshConstructorToTable<flowSolvers::immersedFluid>::New
+(
+    dynamicFvMesh& mesh
+)
+{
+    return flowSolvers::immersedFluid::New(mesh);
+}
+
 namespace flowSolvers
 {
     defineTypeNameAndDebug(immersedFluid, 0);
@@ -16,155 +31,137 @@ namespace flowSolvers
 }
 
 
-Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
-:
-    incompressibleFluid(mesh),
-    bodies_(immersedBodies::New(mesh)),
-    uniformViscosity_
-    (
-        momentumTransport->type() == "Stokes"
-     && laminarTransport.get<word>("transportModel") == "Newtonian"
-    ),
-    stokes_
-    (
-        immersed()
-     && word(mesh.divScheme("div(phi,U)")) == "none"
-    ),
-    pairOfGradients_(pairGradient::serves(mesh, "grad(p)")),
-    flowRate_(findFlowRate()),
-    bodyWalls_(nullptr),
-    viscousReach_(0),
-    outer_(0),
-    bandOnly_(false),
-    converged_(false),
-    firstChange_(0),
-    change_(0),
-    speedScale_(0),
-    lost_(false),
-    acceleration_(mesh),
-    startTime_(mesh.time().value())
+Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
+(
+    dynamicFvMesh& mesh
+)
 {
-    if (!immersed())
+    const IOdictionary dict(immersedBodies::readProperties(mesh));
+
+    if (!immersedBodies::any(dict))
     {
         Info<< "No immersed bodies: solving as incompressibleFluid" << nl
             << endl;
-        return;
+
+        return autoPtr<flowSolver>(new incompressibleFluid(mesh));
     }
 
-    checkSettings();
-    projection_.reset(new projection(p_, pRefCell));
-    if (bodies_->moving())
-    {
-        pending_.reset
-        (
-            new pendingCorrection(bodies_->region(), projection_->dp())
-        );
-    }
-    compat::setFinalIteration(mesh_, true);
+    return unresolvedCoupling::frozen(dict.subOrEmptyDict("coupling"))
+      ? autoPtr<flowSolver>(new frozenFluid(mesh))
+      : autoPtr<flowSolver>(new immersedFluid(mesh));
+}
 
-    if (bodies_->moving())
-    {
-        // Two previous levels, to extrapolate from
-        p_.oldTime().oldTime();
-    }
-    if (bodies_->moving() && !stokes_)
-    {
-        convecting_.reset
-        (
-            new surfaceScalarField
-            (
-                IOobject("convecting", runTime_.timeName(), mesh_),
-                mesh_,
-                phi_.dimensions()
-            )
-        );
-    }
 
-    if (!functionObject::postProcess)
+Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
+:
+    fluidWithBodies(mesh),
+    iteration_(bodies_.coupling(), bodies_.steady().active()),
+    acceleration_(mesh),
+    momentum_
+    (
+        U_, phi_, *momentumTransport, MRF, fvOptions, bodies_,
+        momentumTransport->type() == "Stokes"
+     && laminarTransport.get<word>("transportModel") == "Newtonian"
+    ),
+    projection_(p_, pRefCell),
+    correction_
+    (
+        p_, projection_.dp(), U_, bodies_.region(), bodies_.moving()
+    ),
+    flowRate_(findFlowRate()),
+    bodyWalls_(nullptr),
+    viscousReach_(0)
+{
+    if (!functionObject::postProcess && !bodies_.restarted())
     {
         initialise();
     }
-    if (!stokes_)
-    {
-        phi_.oldTime().oldTime();
-    }
-
+    keepOldTimes();
     correctViscosity();
     addBodyWalls();
     retry_.reset(new timeStepRetry(mesh_, runTime_));
 
-    bodies_->report(Info);
-    // Each with a comma and a space before
-    string skipped;
-    skipped += bodies_->moving() ? "" : ", motion of bodies";
-    skipped += bodies_->frozen() ? ", the fluid" : "";
-    skipped += stokes_ ? ", convection" : "";
-    skipped += uniformViscosity_ ? ", turbulence, transposed stress" : "";
-    skipped += bodies_->contact() ? "" : ", contact";
-    skipped += bodies_->lubrication() ? "" : ", lubrication";
+    OStringStream coupling;
+    iteration_.describe(coupling);
 
-    Info<< "    skipped: "
-        << (skipped.empty() ? "nothing" : skipped.substr(2).c_str()) << nl
-        << endl;
+    string skipped;
+    skipped += momentum_.stokes() ? ", convection" : "";
+    skipped += momentum_.uniformViscosity()
+      ? ", turbulence, transposed stress"
+      : "";
+    reportSetUp(coupling.str(), skipped);
 }
 
 
-void Foam::flowSolvers::immersedFluid::preSolve()
+void Foam::flowSolvers::immersedFluid::keepOldTimes()
 {
-    if (!immersed())
+    // Two previous levels, to extrapolate from
+    if (bodies_.moving())
     {
-        incompressibleFluid::preSolve();
+        p_.oldTime().oldTime();
+    }
+    if (!momentum_.stokes())
+    {
+        phi_.oldTime().oldTime();
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::initialise()
+{
+    bodies_.setAmbient(U_);
+    bodies_.setRigidMotion(U_);
+    phi_ = fvc::flux(U_);
+    makeRelative(bodies_.window().velocity());
+
+    // That of another solver's run does not know the bodies
+    if (phi_.nOldTimes())
+    {
+        phi_.oldTime() == phi_;
+    }
+}
+
+
+Foam::fv::flowRateForce* Foam::flowSolvers::immersedFluid::findFlowRate()
+{
+    for (fv::option& force : static_cast<fv::optionList&>(fvOptions))
+    {
+        if (isA<fv::flowRateForce>(force))
+        {
+            return &refCast<fv::flowRateForce>(force);
+        }
+    }
+
+    return nullptr;
+}
+
+
+void Foam::flowSolvers::immersedFluid::addBodyWalls()
+{
+    if (!fv::bodyWalls::wanted(mesh_))
+    {
         return;
     }
 
-    readControls();
-    correctCoNum();
-    CoNum = max(CoNum, bodies_->courantNo());
-    adjustDeltaT();
-    retry_->begin(adjustTimeStep);
-    if (flowRate_)
-    {
-        flowRate_->beginStep();
-    }
-    acceleration_.begin();
+    bodyWalls_ = new fv::bodyWalls
+    (
+        bodies_,
+        U_,
+        momentumTransport->get<word>("simulationType") == "LES"
+    );
+    static_cast<fv::optionList&>(fvOptions).append(bodyWalls_);
 
-    outer_ = 0;
-    converged_ = false;
-    change_ = 0;
-    lost_ = false;
-}
+    // A file that has changed would be read again, for an entry of each option
+    fvOptions.watchIndices().clear();
 
-
-bool Foam::flowSolvers::immersedFluid::outerLoop()
-{
-    if (!immersed())
-    {
-        return incompressibleFluid::outerLoop();
-    }
-
-    if (!converged_ && !lost_ && outer_ < bodies_->nOuterCorrectors())
-    {
-        ++outer_;
-        return true;
-    }
-
-    if (!farOff())
-    {
-        return false;
-    }
-
-    repeatStep();
-    return true;
+    bodyWalls_->update(momentumTransport->nu()());
+    momentumTransport->validate();
 }
 
 
 void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
 {
-    if (!immersed())
-    {
-        incompressibleFluid::momentumTransportCorrector();
-    }
-    else if (!uniformViscosity_ && !bodies_->frozen())
+    if (!momentum_.uniformViscosity())
     {
         correctViscosity();
         if (bodyWalls_)
@@ -176,14 +173,20 @@ void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
 }
 
 
-void Foam::flowSolvers::immersedFluid::correctViscosity()
+void Foam::flowSolvers::immersedFluid::postSolve()
 {
-    laminarTransport.correct();
+    momentum_.clear();
+    fluidWithBodies::postSolve();
+}
 
-    if (laminarTransport.get<word>("transportModel") != "Newtonian")
-    {
-        const tmp<volScalarField> tnu(laminarTransport.nu());
 
-        bodies_->region().extrapolate(tnu.constCast());
-    }
+void Foam::flowSolvers::immersedFluid::check()
+{
+    fluidWithBodies::check();
+
+    // Matrices once, as in a time step of no length
+    bodies_.beginStep();
+    momentum_.assemble(meshProperties::ddt(mesh_, U_.name()));
+    mesh_.solver(U_.select(true));
+    mesh_.solver(p_.select(true));
 }

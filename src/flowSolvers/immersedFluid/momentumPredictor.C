@@ -2,18 +2,11 @@
 
 #include "immersedFluid.H"
 #include "comovingDerivative.H"
-#include "fvcGrad.H"
 #include "meshProperties.H"
 #include "profiling.H"
-#include "vectorSmoothSolver.H"
 
 namespace
 {
-    //- Part of the usual smoothing of the flux by the pressure: enough against
-    //  wiggles, and what it leaks through the bodies is below the error of the
-    //  layer
-    const Foam::scalar smoothing = 0.1;
-
     //- Values on the patches that are not coupled
     Foam::scalarField patchValues(const Foam::volScalarField& field)
     {
@@ -32,14 +25,44 @@ namespace
 }
 
 
-const Foam::volScalarField& Foam::flowSolvers::immersedFluid::viscosity()
+void Foam::flowSolvers::immersedFluid::momentumPredictor()
 {
-    if (!nuEff_.valid())
+    addProfiling(momentum, "momentumPredictor");
+
+    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
+
+    if (correction_.outdated())
     {
-        nuEff_ = momentumTransport->nuEff();
+        correction_.complete(1/ddt.c);
     }
 
-    return nuEff_();
+    if
+    (
+        bandsSuffice()
+     && momentum_.solveInBands(ddt, correction_.gradP(), iteration_.limit())
+    )
+    {
+        return;
+    }
+
+    correction_.complete(1/ddt.c);
+    momentum_.clear();
+    if (!momentum_.stokes())
+    {
+        bodies_.updateFrame(ddt, momentum_.viscosity());
+    }
+    if (iteration_.first())
+    {
+        viscousReach_ = gMax(momentumTransport->nu()().primitiveField())
+           *runTime_.deltaTValue()/sqr(bodies_.minCellSize());
+        extrapolateFlux();
+        extrapolatePressure();
+    }
+    momentum_.assemble(ddt);
+    momentum_.solve(correction_.gradP(), iteration_.first());
+    correctUnresolved(ddt);
+
+    fvOptions.correct(U_);
 }
 
 
@@ -50,48 +73,30 @@ void Foam::flowSolvers::immersedFluid::extrapolateFlux()
     // way to a steady state need not be accurate
     if
     (
-        !stokes_
-     && !bodies_->steady().active()
-     && runTime_.timeIndex() > 1
+        momentum_.stokes()
+     || bodies_.steady().active()
+     || runTime_.timeIndex() < 2
     )
     {
-        const scalar ratio =
-            runTime_.deltaTValue()/runTime_.deltaT0Value();
-        const surfaceScalarField& phi0 = phi_.oldTime();
-        const surfaceScalarField& phi00 = phi0.oldTime();
-        surfaceScalarField::Boundary& onPatches = phi_.boundaryFieldRef();
-
-        forAll(phi_, facei)
-        {
-            phi_[facei] = phi0[facei] + ratio*(phi0[facei] - phi00[facei]);
-        }
-        forAll(onPatches, patchi)
-        {
-            const scalarField& old = phi0.boundaryField()[patchi];
-
-            onPatches[patchi] =
-                old + ratio*(old - phi00.boundaryField()[patchi]);
-        }
+        return;
     }
-}
 
+    const scalar ratio = runTime_.deltaTValue()/runTime_.deltaT0Value();
+    const surfaceScalarField& phi0 = phi_.oldTime();
+    const surfaceScalarField& phi00 = phi0.oldTime();
+    surfaceScalarField::Boundary& onPatches = phi_.boundaryFieldRef();
 
-void Foam::flowSolvers::immersedFluid::setViscousReach()
-{
-    const scalar nu = gMax(momentumTransport->nu()().primitiveField());
+    forAll(phi_, facei)
+    {
+        phi_[facei] = phi0[facei] + ratio*(phi0[facei] - phi00[facei]);
+    }
+    forAll(onPatches, patchi)
+    {
+        const scalarField& old = phi0.boundaryField()[patchi];
 
-    viscousReach_ = nu*runTime_.deltaTValue()/sqr(bodies_->minCellSize());
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::flowSolvers::immersedFluid::drive() const
-{
-    const vectorField& gradP = gradP_().primitiveField();
-
-    return force_.empty()
-      ? tmp<vectorField>(gradP)
-      : tmp<vectorField>(new vectorField(gradP - force_));
+        onPatches[patchi] =
+            old + ratio*(old - phi00.boundaryField()[patchi]);
+    }
 }
 
 
@@ -100,10 +105,10 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
     // The extrapolation is stable where viscosity reaches over cells; the
     // first step of a run has one previous level only
     const bool can =
-        bodies_->moving()
-     && bodies_->nResolved()
-     && !bodies_->window().comoving()
-     && uniformViscosity_
+        bodies_.moving()
+     && bodies_.nResolved()
+     && !bodies_.window().comoving()
+     && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
 
     return can ? max(1 - 1/max(viscousReach_, SMALL), 0) : 0;
@@ -121,7 +126,7 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
 
         p_.primitiveFieldRef() += part*ratio
            *(p0.primitiveField() - p0.oldTime().primitiveField());
-        gradP_.clear();
+        correction_.forgetGradP();
     }
 
     // Those on patches may depend on time
@@ -129,110 +134,37 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
     p_.correctBoundaryConditions();
     const bool changed = patchValues(p_) != before;
 
-    if (!gradP_.valid() || returnReduce(changed, orOp<bool>()))
+    if (!correction_.hasGradP() || returnReduce(changed, orOp<bool>()))
     {
-        gradP_ = fvc::grad(p_);
+        correction_.updateGradP();
     }
 
     // What the trend is not used for moves along with the bodies
-    const comovingDerivative& frame = bodies_->frame();
-
-    if (frame.active())
+    if (bodies_.frame().active())
     {
-        frame.follow(1 - part, p_, gradP_.ref());
-        if (!pairOfGradients_)
-        {
-            gradP_ = fvc::grad(p_);
-        }
+        correction_.follow(bodies_.frame(), 1 - part, p_);
     }
 }
 
 
-void Foam::flowSolvers::immersedFluid::solveMomentum(fvVectorMatrix& eqn)
+void Foam::flowSolvers::immersedFluid::correctUnresolved
+(
+    const ddtCoefficients& ddt
+)
 {
-    const dictionary& solver = mesh_.solver(U_.select(true));
-    const auto solve = [&](const dictionary& controls)
+    if (bodies_.nUnresolved())
     {
-        return vectorSmoothSolver::serves(controls)
-          ? vectorSmoothSolver(eqn, U_).solve(controls)
-          : eqn.solve(controls);
-    };
+        const tmp<vectorField> tchange(moveUnresolved(ddt));
 
-    if (outer_ == 1)
-    {
-        const vector residual(solve(solver).initialResidual());
-
-        // Components that are not solved for, or are zero, say nothing
-        scalar least = GREAT;
-
-        for (direction cmpt = 0; cmpt < 3; ++cmpt)
-        {
-            least = min(least, residual[cmpt] > 0 ? residual[cmpt] : GREAT);
-        }
-        momentumTarget_.set(solver, least < GREAT ? least : 0);
-    }
-    else
-    {
-        solve(momentumTarget_.controls(solver));
+        momentum_.force() += tchange();
+        U_.primitiveFieldRef() += tchange()/ddt.c;
+        U_.correctBoundaryConditions();
     }
 }
 
 
-void Foam::flowSolvers::immersedFluid::momentumPredictor()
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::flowSolvers::immersedFluid::assembleMomentum()
 {
-    if (!immersed())
-    {
-        incompressibleFluid::momentumPredictor();
-        return;
-    }
-
-    if (bodies_->frozen())
-    {
-        correctUnresolved(meshProperties::ddt(mesh_, U_.name()));
-        return;
-    }
-
-    addProfiling(momentum, "momentumPredictor");
-
-    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
-
-    if (pending_.valid() && pending_->active() && pending_->outdated())
-    {
-        endWait(1/ddt.c);
-    }
-
-    bandOnly_ = bandsSuffice() && predictBands();
-    if (bandOnly_)
-    {
-        return;
-    }
-
-    endWait(1/ddt.c);
-
-    clearMomentum();
-    if (!stokes_)
-    {
-        bodies_->updateFrame(ddt, viscosity());
-    }
-    if (outer_ == 1)
-    {
-        setViscousReach();
-        extrapolateFlux();
-        extrapolatePressure();
-    }
-
-    tUEqn = assembleMomentum();
-    bodies_->addUnresolved(force_);
-    A0_ = tUEqn().A();
-    smoothing_ = smoothing/A0_();
-    bodies_->updateResistance(ddt, A0_(), viscosity());
-
-    fvVectorMatrix& UEqn = tUEqn.ref();
-
-    addBodies(UEqn);
-    solveMomentum(UEqn);
-    removeBodies(UEqn);
-    correctUnresolved(ddt);
-
-    fvOptions.correct(U_);
+    return momentum_.make(meshProperties::ddt(mesh_, U_.name()));
 }

@@ -5,10 +5,8 @@
 #include "constrainPressure.H"
 #include "faceSums.H"
 #include "findRefCell.H"
-#include "fvcGrad.H"
 #include "inletOutletFvPatchFields.H"
 #include "meshProperties.H"
-#include "pairGradient.H"
 #include "profiling.H"
 #include "smoothedFlux.H"
 
@@ -29,24 +27,36 @@ namespace
 
         return Foam::returnReduce(any, Foam::orOp<bool>());
     }
+}
 
 
-    //- Swap the values of two fluxes, without copies
-    void swapValues
-    (
-        Foam::surfaceScalarField& one,
-        Foam::surfaceScalarField& other
-    )
+void Foam::flowSolvers::immersedFluid::pressureCorrector()
+{
+    addProfiling(pressure, "pressureCorrector");
+
+    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
+    const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
+
+    predictBodyFlux();
+
+    const scalarField divPhi(divergence(phi_));
+
+    project(tau, divPhi);
+    updatePressure(divPhi);
+    correction_.find(tau.value(), mayWait());
+    holdFlowRate(tau.value());
+
+    const vectorField before(bodies_.velocities());
+
+    bodyCorrector(ddt);
+    makeRelative(bodies_.window().velocity());
+    correction_.apply();
+    fvOptions.correct(U_);
+    accelerate(bodies_.velocities() - before);
+
+    if (!bandsFollow())
     {
-        one.primitiveFieldRef().swap(other.primitiveFieldRef());
-
-        forAll(one.boundaryField(), patchi)
-        {
-            one.boundaryFieldRef()[patchi].swap
-            (
-                other.boundaryFieldRef()[patchi]
-            );
-        }
+        correction_.complete(tau.value());
     }
 }
 
@@ -73,40 +83,38 @@ bool Foam::flowSolvers::immersedFluid::openPatches() const
 }
 
 
-void Foam::flowSolvers::immersedFluid::predictImmersedFlux()
+void Foam::flowSolvers::immersedFluid::predictBodyFlux()
 {
-    const smoothedFlux flux(U_, p_, gradP_(), smoothing_());
+    const volScalarField& smoothing = momentum_.smoothing();
+    const smoothedFlux flux(U_, p_, correction_.gradP(), smoothing);
 
-    if (bandOnly_)
+    if (momentum_.inBands())
     {
         DynamicList<label> faces;
-        bodies_->region().bandFaces(faces);
+        bodies_.region().bandFaces(faces);
         flux.set(faces, phi_);
     }
     else
     {
-        if (convecting_.valid())
-        {
-            swapValues(phi_, convecting_());
-        }
+        momentum_.keepFlux();
         flux.set(phi_);
     }
 
     MRF.makeRelative(phi_);
-    bodies_->region().shieldFlux(phi_);
+    bodies_.region().shieldFlux(phi_);
 
     // In the bands of bodies it is the same as before
     if
     (
         p_.needReference()
-     && (!bandOnly_ || openPatches())
+     && (!momentum_.inBands() || openPatches())
      && crossesPatches(phi_)
     )
     {
         adjustPhi(phi_, U_, p_);
     }
 
-    constrainPressure(p_, U_, phi_, smoothing_(), MRF);
+    constrainPressure(p_, U_, phi_, smoothing, MRF);
 }
 
 
@@ -116,11 +124,11 @@ void Foam::flowSolvers::immersedFluid::project
     const scalarField& divPhi
 )
 {
-    projection_->begin(outer_ == 1);
+    projection_.begin(iteration_.first());
 
     while (pimple_.correctNonOrthogonal())
     {
-        projection_->solve
+        projection_.solve
         (
             mesh_.solver(p_.select(true)),
             divPhi,
@@ -130,58 +138,26 @@ void Foam::flowSolvers::immersedFluid::project
 
         if (pimple_.finalNonOrthogonalIter())
         {
-            projection_->correctFlux(tau, phi_);
+            projection_.correctFlux(tau, phi_);
         }
     }
 }
 
 
-void Foam::flowSolvers::immersedFluid::setGradients
+void Foam::flowSolvers::immersedFluid::updatePressure
 (
-    const scalar tau,
-    const bool wait
+    const scalarField& divPhi
 )
 {
-    const volScalarField& dp = projection_->dp();
+    const volScalarField& dp = projection_.dp();
+    const scalarField& nu = momentum_.viscosity();
+    scalarField& p = p_.primitiveFieldRef();
 
-    if (wait)
+    forAll(p, celli)
     {
-        pending_->add(p_, dp, tau, gradP_.ref(), dU_);
+        p[celli] += dp[celli] - nu[celli]*divPhi[celli];
     }
-    else if (pairOfGradients_ && gradP_.valid())
-    {
-        pairGradient::set(p_, dp, tau, gradP_.ref(), dU_);
-    }
-    else
-    {
-        gradP_ = fvc::grad(p_);
-        dU_ = tau*fvc::grad(dp, "grad(p)")().primitiveField();
-    }
-}
-
-
-void Foam::flowSolvers::immersedFluid::correctVelocity(const bool wait)
-{
-    if (wait)
-    {
-        pending_->correct(dU_, U_);
-    }
-    else
-    {
-        U_.primitiveFieldRef() -= dU_;
-    }
-    U_.correctBoundaryConditions();
-    fvOptions.correct(U_);
-}
-
-
-void Foam::flowSolvers::immersedFluid::endWait(const scalar tau)
-{
-    if (pending_.valid() && pending_->active())
-    {
-        pending_->complete(p_, tau, gradP_.ref(), dU_, U_);
-        U_.correctBoundaryConditions();
-    }
+    p_.correctBoundaryConditions();
 }
 
 
@@ -191,62 +167,16 @@ void Foam::flowSolvers::immersedFluid::holdFlowRate(const scalar tau)
     {
         const vector old(flowRate_->acceleration());
 
-        dU_ -= flowRate_->correctFlux(tau, phi_);
-        force_ += flowRate_->acceleration() - old;
+        correction_.dU() -= flowRate_->correctFlux(tau, phi_);
+        momentum_.force() += flowRate_->acceleration() - old;
     }
 }
 
 
-void Foam::flowSolvers::immersedFluid::pressureCorrector()
+void Foam::flowSolvers::immersedFluid::makeRelative(const vector& V)
 {
-    if (!immersed())
+    if (V != vector::zero)
     {
-        incompressibleFluid::pressureCorrector();
-        return;
-    }
-
-    if (bodies_->frozen())
-    {
-        converged_ = true;
-        return;
-    }
-
-    addProfiling(pressure, "pressureCorrector");
-
-    const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
-    const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
-    const volScalarField& dp = projection_->dp();
-
-    predictImmersedFlux();
-
-    const scalarField divPhi(divergence(phi_));
-
-    project(tau, divPhi);
-
-    const scalarField& nu = viscosity();
-    scalarField& p = p_.primitiveFieldRef();
-
-    forAll(p, celli)
-    {
-        p[celli] += dp[celli] - nu[celli]*divPhi[celli];
-    }
-    p_.correctBoundaryConditions();
-
-    const bool wait = canWait() && pending_->begin();
-
-    setGradients(tau.value(), wait);
-    holdFlowRate(tau.value());
-
-    const vectorField before(bodies_->velocities());
-
-    bodyCorrector(ddt, dU_);
-    makeRelative(bodies_->window().velocity());
-    correctVelocity(wait);
-
-    accelerate(bodies_->velocities() - before);
-
-    if (!bandsFollow())
-    {
-        endWait(tau.value());
+        phi_ -= dimensionedVector("V", dimVelocity, V) & mesh_.Sf();
     }
 }

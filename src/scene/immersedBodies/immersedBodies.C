@@ -121,9 +121,6 @@ Foam::immersedBodies::immersedBodies
     proximity_(mesh, periodicity_, contact_()),
     nParts_(bodies_.size(), 1),
     loads_(bodies_.size()),
-    nOuterCorrectors_(50),
-    minOuterCorrectors_(1),
-    tolerance_(1e-4),
     steady_(dict)
 {
     const dictionary& coupling = dict.subOrEmptyDict("coupling");
@@ -134,7 +131,10 @@ Foam::immersedBodies::immersedBodies
         contact_->readMaterials(dict_, walls_());
     }
 
-    readIterations(coupling);
+    if (steady_.active())
+    {
+        checkSteady();
+    }
 
     if (!restarted_)
     {

@@ -186,12 +186,6 @@ bool Foam::immersedBodies::disperse() const
 }
 
 
-bool Foam::immersedBodies::frozen() const
-{
-    return unresolved_->frozen();
-}
-
-
 void Foam::immersedBodies::addUnresolved(vectorField& force) const
 {
     if (unresolved_->active())

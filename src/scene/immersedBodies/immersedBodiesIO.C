@@ -4,36 +4,30 @@
 #include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "contactModel.H"
+#include "outerIteration.H"
 #include "unresolvedCoupling.H"
 
-Foam::autoPtr<Foam::immersedBodies> Foam::immersedBodies::New
-(
-    const fvMesh& mesh
-)
+Foam::IOdictionary Foam::immersedBodies::readProperties(const fvMesh& mesh)
 {
-    IOobject io
+    return IOdictionary
     (
-        "immersedBodyProperties",
-        mesh.time().constant(),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
+        IOobject
+        (
+            "immersedBodyProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
     );
-    const IOdictionary dict(io);
+}
 
-    autoPtr<immersedBodies> bodies;
 
-    if
-    (
-        dict.subOrEmptyDict("bodies").size()
-     || dict.subOrEmptyDict("injection").size()
-    )
-    {
-        bodies.reset(new immersedBodies(mesh, dict));
-    }
-
-    return bodies;
+bool Foam::immersedBodies::any(const dictionary& properties)
+{
+    return properties.subOrEmptyDict("bodies").size()
+     || properties.subOrEmptyDict("injection").size();
 }
 
 
@@ -49,9 +43,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
         }
     );
     wordList ofCoupling(unresolvedCoupling::keywords);
-    ofCoupling.append(word("nOuterCorrectors"));
-    ofCoupling.append(word("minOuterCorrectors"));
-    ofCoupling.append(word("tolerance"));
+    ofCoupling.append(outerIteration::keywords);
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
 
     auto onlyChoice = [&](const word& key, const word& type)
@@ -65,39 +57,6 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     onlyChoice("motion", "matching");
 
     return dict;
-}
-
-
-void Foam::immersedBodies::readIterations(const dictionary& coupling)
-{
-    nOuterCorrectors_ = label
-    (
-        keywords::positiveOr(coupling, "nOuterCorrectors", nOuterCorrectors_)
-    );
-    minOuterCorrectors_ = label
-    (
-        keywords::positiveOr
-        (
-            coupling, "minOuterCorrectors", minOuterCorrectors_
-        )
-    );
-    tolerance_ = keywords::positiveOr(coupling, "tolerance", tolerance_);
-
-    if (minOuterCorrectors_ > nOuterCorrectors_)
-    {
-        FatalIOErrorInFunction(coupling)
-            << "'minOuterCorrectors " << minOuterCorrectors_ << "' in '"
-            << coupling.dictName() << "' must not be larger than"
-            << " 'nOuterCorrectors', " << nOuterCorrectors_ << nl
-            << exit(FatalIOError);
-    }
-
-    if (steady_.active())
-    {
-        // The time steps themselves are the iterations
-        checkSteady();
-        nOuterCorrectors_ = minOuterCorrectors_ = 1;
-    }
 }
 
 
@@ -180,12 +139,6 @@ void Foam::immersedBodies::report(Ostream& os) const
         os  << nl << "    cells per width: " << fewest << " to " << most;
     }
 
-    os  << nl << "    coupling: at most " << nOuterCorrectors_
-        << " iterations, tolerance " << tolerance_;
-    if (minOuterCorrectors_ > 1)
-    {
-        os  << ", at least " << minOuterCorrectors_;
-    }
     if (nUnresolved())
     {
         os  << nl << "    ";

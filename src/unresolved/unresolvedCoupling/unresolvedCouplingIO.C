@@ -15,6 +15,17 @@ const Foam::wordList Foam::unresolvedCoupling::keywords
 });
 
 
+bool Foam::unresolvedCoupling::frozen(const dictionary& coupling)
+{
+    return
+        Foam::keywords::choice
+        (
+            coupling, "fluid", {"solved", "frozen"}, "solved"
+        )
+     == "frozen";
+}
+
+
 Foam::unresolvedCoupling::unresolvedCoupling
 (
     const dictionary& dict,
@@ -29,11 +40,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     periods_(periods),
     type_(Foam::keywords::choice(dict, "type", types, "resolved")),
     resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
-    frozen_
-    (
-        Foam::keywords::choice(dict, "fluid", {"solved", "frozen"}, "solved")
-     == "frozen"
-    ),
+    frozen_(frozen(dict)),
     drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidWithBodies.H"
+
+void Foam::flowSolvers::fluidWithBodies::postSolve()
+{
+    const bool good = bodies_.endStep();
+
+    if (good)
+    {
+        bodies_.enter(U_);
+        bodies_.selectCoupling(U_);
+    }
+
+    continuityErrors();
+    reportProgress();
+
+    if (good && bodies_.steady().active())
+    {
+        endIfSteady();
+    }
+
+    if (runTime_.writeTime())
+    {
+        bodies_.bodyFraction()->write();
+    }
+
+    if (!(bodies_.maxSpeed() < GREAT))
+    {
+        FatalErrorInFunction
+            << "The velocities of the bodies have diverged at time "
+            << runTime_.timeName() << ": reduce the time step" << nl
+            << exit(FatalError);
+    }
+
+    if (!good)
+    {
+        stop
+        (
+            bodies_.proximity().overlaps().empty()
+          ? string("a body has left the mesh, see above")
+          : "bodies overlap: " + bodies_.proximity().overlaps()
+        );
+    }
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::stop(const string& why)
+{
+    runTime_.writeNow();
+
+    FatalErrorInFunction
+        << "Stopped at time " << runTime_.timeName() << ": " << why.c_str()
+        << ". The state has been written." << nl << exit(FatalError);
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::reportProgress() const
+{
+    const scalar done = runTime_.value() - startTime_;
+    const scalar left = max(runTime_.endTime().value() - runTime_.value(), 0);
+
+    // The end time is infinite once the run has been told to stop
+    const scalar secondsLeft =
+        left < GREAT ? runTime_.elapsedCpuTime()*left/max(done, VSMALL) : 0;
+
+    Info<< "Progress: step " << runTime_.timeIndex()
+        << ", Courant number " << CoNum
+        << ", bodies " << bodies_.size();
+    if (bodies_.nAsleep())
+    {
+        Info<< " (" << bodies_.nAsleep() << " asleep)";
+    }
+    Info<< ", ";
+    reportIterations(Info);
+    Info<< ", slip " << bodies_.slip() << " m/s"
+        << ", time left "
+        << round(secondsLeft) << " s"
+        << endl;
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::endIfSteady()
+{
+    bodies_.compareStep
+    (
+        gMax(mag(U_.primitiveField())()),
+        gMax(momentumTransport->nu()().primitiveField())
+    );
+
+    const steadyMonitor& steady = bodies_.steady();
+
+    if (!steady.known())
+    {
+        return;
+    }
+
+    Info<< "Steady state: ";
+    steady.report(Info);
+    Info<< endl;
+
+    const scalar left = runTime_.endTime().value() - runTime_.value();
+    const label nSteps = runTime_.timeIndex() - runTime_.startTimeIndex();
+
+    if (steady.steady())
+    {
+        Info<< "Steady after " << nSteps << " steps" << endl;
+        runTime_.writeAndEnd();
+    }
+    else if (left < 0.5*runTime_.deltaTValue())
+    {
+        Info<< "Not steady after " << nSteps << " steps: ";
+        steady.report(Info);
+        Info<< endl;
+    }
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::check()
+{
+    incompressibleFluid::check();
+
+    const scalar dt = runTime_.deltaTValue();
+
+    Info<< "    time step for a Courant number of 1:  fluid "
+        << dt/max(CoNum, VSMALL) << "  bodies "
+        << dt/max(bodies_.courantNo(), VSMALL) << nl
+        << "    cells in the bands of bodies: "
+        << returnReduce(bodies_.region().nCells(), sumOp<label>()) << nl
+        << "    body    width/h    density ratio    position    velocity" << nl;
+
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        Info<< "    " << body.name() << "    " << bodies_.cellsPerWidth(bodyi)
+            << "    " << body.densityRatio() << "    "
+            << body.state().position << "    " << body.state().U << nl;
+    }
+    Info<< endl;
+}

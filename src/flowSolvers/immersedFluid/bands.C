@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+
+namespace
+{
+    // Up to where errors are as if all cells had been redone
+
+    //- Last outer iteration; those that take more may need the implicit
+    //  convection
+    const Foam::label lastBandOuter = 5;
+
+    //- Viscous reach, in cells, squared; not a number that round settings give,
+    //  and that ranks could see on different sides
+    const Foam::scalar maxBandReach = 3.7;
+
+    //- Change of the bodies' velocities in the iteration before, relative
+    const Foam::scalar maxBandChange = 0.1;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
+{
+    // The first time step of a run has no flux that is extrapolated. What is
+    // combined from several iterations is the pressure of all cells. In a
+    // window all fluxes change with its velocity, and unresolved bodies act
+    // outside of the bands.
+    return momentum_.uniformViscosity()
+     && !acceleration_.active()
+     && !bodies_.window().comoving()
+     && !MRF.MRFZoneList::size()
+     && !bodies_.nUnresolved()
+     && runTime_.timeIndex() > 1
+     && viscousReach_ < maxBandReach;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
+{
+    return !iteration_.first()
+     && iteration_.number() <= lastBandOuter
+     && iteration_.change() < maxBandChange
+     && bandsCanSuffice();
+}
+
+
+bool Foam::flowSolvers::immersedFluid::mayWait() const
+{
+    // A flow rate is held everywhere, and options may be for all cells
+    return iteration_.number() < lastBandOuter
+     && fvOptions.optionList::empty()
+     && bandsCanSuffice();
+}
+
+
+bool Foam::flowSolvers::immersedFluid::bandsFollow() const
+{
+    return iteration_.more()
+     && iteration_.number() < lastBandOuter
+     && iteration_.change() < maxBandChange;
+}

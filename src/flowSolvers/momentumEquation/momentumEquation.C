@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "momentumEquation.H"
+#include "vectorSmoothSolver.H"
+
+namespace
+{
+    //- Part of the usual smoothing of the flux by the pressure: enough against
+    //  wiggles, and what it leaks through the bodies is below the error of the
+    //  layer
+    const Foam::scalar smoothingPart = 0.1;
+}
+
+
+Foam::momentumEquation::momentumEquation
+(
+    volVectorField& U,
+    surfaceScalarField& phi,
+    incompressible::turbulenceModel& transport,
+    IOMRFZoneList& MRF,
+    fv::options& options,
+    immersedBodies& bodies,
+    const bool uniformViscosity
+)
+:
+    U_(U),
+    phi_(phi),
+    transport_(transport),
+    MRF_(MRF),
+    options_(options),
+    bodies_(bodies),
+    uniformViscosity_(uniformViscosity),
+    stokes_(word(U.mesh().divScheme("div(phi,U)")) == "none"),
+    inBands_(false)
+{
+    if (bodies.moving() && !stokes_)
+    {
+        convecting_.reset
+        (
+            new surfaceScalarField
+            (
+                IOobject("convecting", U.time().timeName(), U.mesh()),
+                U.mesh(),
+                phi.dimensions()
+            )
+        );
+    }
+}
+
+
+const Foam::volScalarField& Foam::momentumEquation::viscosity()
+{
+    if (!nuEff_.valid())
+    {
+        nuEff_ = transport_.nuEff();
+    }
+
+    return nuEff_();
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::momentumEquation::drive
+(
+    const vectorField& gradP
+) const
+{
+    return force_.empty()
+      ? tmp<vectorField>(gradP)
+      : tmp<vectorField>(new vectorField(gradP - force_));
+}
+
+
+void Foam::momentumEquation::clear()
+{
+    eqn_.clear();
+    A_.clear();
+    nuEff_.clear();
+    smoothing_.clear();
+}
+
+
+void Foam::momentumEquation::assemble(const ddtCoefficients& ddt)
+{
+    eqn_ = make(ddt);
+    bodies_.addUnresolved(force_);
+    A_ = eqn_().A();
+    smoothing_ = smoothingPart/A_();
+    bodies_.updateResistance(ddt, A_(), viscosity());
+}
+
+
+void Foam::momentumEquation::addBodies(const vectorField& drive)
+{
+    const scalarField& V = U_.mesh().V();
+    vectorField& source = eqn_.ref().source();
+
+    source_.resize(source.size());
+
+    forAll(source, celli)
+    {
+        source_[celli] = source[celli];
+        source[celli] -= V[celli]*drive[celli];
+    }
+    bodies_.region().penalise(A_(), drive, eqn_.ref(), replaced_);
+}
+
+
+void Foam::momentumEquation::removeBodies()
+{
+    bodies_.region().unpenalise(replaced_, eqn_.ref());
+    eqn_.ref().source().swap(source_);
+    corrected_.clear();
+    uncorrected_.clear();
+}
+
+
+void Foam::momentumEquation::solveLinear(const bool first)
+{
+    fvVectorMatrix& eqn = eqn_.ref();
+    const dictionary& solver = U_.mesh().solver(U_.select(true));
+    const auto solve = [&](const dictionary& controls)
+    {
+        return vectorSmoothSolver::serves(controls)
+          ? vectorSmoothSolver(eqn, U_).solve(controls)
+          : eqn.solve(controls);
+    };
+
+    if (!first)
+    {
+        solve(target_.controls(solver));
+        return;
+    }
+
+    const vector residual(solve(solver).initialResidual());
+
+    // Components that are not solved for, or are zero, say nothing
+    scalar least = GREAT;
+
+    for (direction cmpt = 0; cmpt < 3; ++cmpt)
+    {
+        least = min(least, residual[cmpt] > 0 ? residual[cmpt] : GREAT);
+    }
+    target_.set(solver, least < GREAT ? least : 0);
+}
+
+
+void Foam::momentumEquation::solve(const vectorField& gradP, const bool first)
+{
+    inBands_ = false;
+    addBodies(drive(gradP)());
+    solveLinear(first);
+    removeBodies();
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outerIteration.H"
+#include "checkKeywords.H"
+
+namespace
+{
+    //- Last iteration that is made for loads only: most of what an acceleration
+    //  makes them lag by is gone then, and the rest would take many more
+    const Foam::label lastForLoads = 4;
+
+    //- Relative change that corrects itself in the next time step
+    const Foam::scalar acceptable = 0.02;
+
+    //- How often the limit of the speed is exceeded by what is lost
+    const Foam::scalar farTooFast = 10;
+}
+
+const Foam::wordList Foam::outerIteration::keywords
+({
+    "nOuterCorrectors", "minOuterCorrectors", "tolerance"
+});
+
+
+Foam::outerIteration::outerIteration
+(
+    const dictionary& coupling,
+    const bool steady
+)
+:
+    most_
+    (
+        label(Foam::keywords::positiveOr(coupling, "nOuterCorrectors", 50))
+    ),
+    least_
+    (
+        label(Foam::keywords::positiveOr(coupling, "minOuterCorrectors", 1))
+    ),
+    tolerance_(Foam::keywords::positiveOr(coupling, "tolerance", 1e-4)),
+    number_(0),
+    converged_(false),
+    lost_(false),
+    firstChange_(0),
+    change_(0),
+    speedChange_(0),
+    limit_(0)
+{
+    if (least_ > most_)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'minOuterCorrectors " << least_ << "' in '"
+            << coupling.dictName() << "' must not be larger than"
+            << " 'nOuterCorrectors', " << most_ << nl
+            << exit(FatalIOError);
+    }
+
+    if (steady)
+    {
+        most_ = least_ = 1;
+    }
+}
+
+
+void Foam::outerIteration::begin()
+{
+    number_ = 0;
+    converged_ = lost_ = false;
+    change_ = 0;
+}
+
+
+bool Foam::outerIteration::next()
+{
+    if (converged_ || lost_ || number_ >= most_)
+    {
+        return false;
+    }
+
+    ++number_;
+    return true;
+}
+
+
+void Foam::outerIteration::repeat()
+{
+    begin();
+    next();
+}
+
+
+void Foam::outerIteration::note
+(
+    const scalar change,
+    const scalar speed,
+    const bool free,
+    const bool posed
+)
+{
+    speedChange_ = change;
+    change_ = change/max(speed, VSMALL);
+
+    if (first())
+    {
+        firstChange_ = change_;
+    }
+
+    converged_ =
+        posed
+     && number_ >= least_
+     && (
+            change <= tolerance_*speed
+         || (!free && number_ >= lastForLoads)
+        );
+}
+
+
+void Foam::outerIteration::noteFastest(const scalar speed)
+{
+    lost_ = !(max(speedChange_, speed) < farTooFast*limit_);
+}
+
+
+bool Foam::outerIteration::farOff() const
+{
+    const bool stagnant =
+        number_ > 2
+     && !(change_ <= max(acceptable, tolerance_))
+     && !(change_ < 0.5*firstChange_);
+
+    return lost_ || (!converged_ && stagnant);
+}
+
+
+void Foam::outerIteration::report(Ostream& os) const
+{
+    os  << "outer iterations " << number_
+        << (converged_ ? "" : " (not converged)");
+}
+
+
+void Foam::outerIteration::describe(Ostream& os) const
+{
+    os  << "at most " << most_ << " iterations, tolerance " << tolerance_;
+
+    if (least_ > 1)
+    {
+        os  << ", at least " << least_;
+    }
+}
