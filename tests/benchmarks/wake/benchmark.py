@@ -23,6 +23,8 @@ CASES = {
     190: (1.3827, None, 0.13, 0.1, 120),
     250: (1.4604, None, 0, 0.01, 120),
 }
+# Ga and cells per diameter: the threshold at Ga 155 is sensitive to them
+RUNS = ((144, 10), (144, 16), (178.46, 16), (190, 16), (250, 16))
 CORE = ((-1, 1), (-1, 1))
 WINDOW = """
     window { type comoving; directions ((1 0 0) (0 1 0) (0 0 1)); }
@@ -120,8 +122,8 @@ def figures(case, run, galilei, down, across):
 
 
 def rows(folder, quick):
-    for galilei in (144,) if quick else CASES:
-        cells, growth = (8, 1.15) if quick else (16, 1.12)
+    for galilei, cells in ((144, 8),) if quick else RUNS:
+        growth = 1.15 if quick else 1.12
         end = 12 if quick else CASES[galilei][4]
         case, run, *axes = solve(folder, galilei, cells, end, growth)
         if run.failed:

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outerIteration.H"
+#include "testTools.H"
+
+using namespace Foam;
+using testTools::dict;
+
+namespace
+{
+
+//- Make iterations with these changes of velocities, of a speed of one, until
+//  they end
+label nIterations
+(
+    outerIteration& iteration,
+    const std::vector<scalar>& changes,
+    const bool free,
+    const bool posedAtOnce
+)
+{
+    iteration.begin();
+
+    for (const scalar change : changes)
+    {
+        if (!iteration.next())
+        {
+            break;
+        }
+        iteration.note
+        (
+            change, 1, free, posedAtOnce || !iteration.first()
+        );
+    }
+
+    return iteration.number();
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("Iterations end when velocities do not change", "[outerIteration]")
+{
+    outerIteration iteration(dict("tolerance 0.01;"), false);
+
+    CHECK(nIterations(iteration, {0.001, 1, 1}, true, true) == 1);
+    CHECK(iteration.converged());
+    CHECK(!iteration.more());
+
+    // The pose at the end is not known before the second
+    CHECK(nIterations(iteration, {0.001, 0.001, 1}, true, false) == 2);
+    CHECK(nIterations(iteration, {1, 0.1, 0.011, 0.01, 1}, true, false) == 4);
+    CHECK(!iteration.farOff());
+    CHECK(iteration.firstChange() == 1);
+    CHECK(iteration.change() == 0.01);
+}
+
+
+TEST_CASE("There are as many iterations as wanted", "[outerIteration]")
+{
+    const std::vector<scalar> many(20, 1.0), few(20, 1e-6);
+    outerIteration iteration
+    (
+        dict("nOuterCorrectors 7; minOuterCorrectors 3;"), false
+    );
+
+    CHECK(nIterations(iteration, few, true, true) == 3);
+    CHECK(nIterations(iteration, many, true, true) == 7);
+    CHECK(!iteration.converged());
+    CHECK(!iteration.next());
+    CHECK(iteration.farOff());
+
+    // For loads only: of no use for longer
+    CHECK(nIterations(iteration, many, false, true) == 4);
+    CHECK(iteration.converged());
+
+    // On the way to a steady state the time steps are the iterations
+    outerIteration steady(dict("nOuterCorrectors 7;"), true);
+    CHECK(nIterations(steady, many, true, true) == 1);
+}
+
+
+TEST_CASE("What is lost is told from what is slow", "[outerIteration]")
+{
+    outerIteration iteration(dict(""), false);
+    const auto fastest = [&](const scalar change, const scalar fluid)
+    {
+        nIterations(iteration, {1, 0.5, change}, true, true);
+        iteration.setLimit(2);
+        iteration.noteFastest(fluid);
+
+        return iteration.lost();
+    };
+
+    CHECK(!fastest(0.5, 19));
+    CHECK(fastest(0.5, 21));
+    CHECK(fastest(21, 1));
+    CHECK(fastest(0.5, std::numeric_limits<scalar>::quiet_NaN()));
+    CHECK(iteration.farOff());
+    CHECK(!iteration.next());
+
+    // Slow, but on the way; and repeated from the first on
+    nIterations(iteration, {1, 0.5, 0.3, 0.2}, true, true);
+    CHECK(!iteration.farOff());
+    iteration.repeat();
+    CHECK(iteration.first());
+    CHECK(iteration.more());
+}
+
+
+TEST_CASE("Limits of iterations that contradict", "[outerIteration]")
+{
+    CHECK_THROWS
+    (
+        outerIteration
+        (
+            dict("nOuterCorrectors 2; minOuterCorrectors 3;"), false
+        )
+    );
+    CHECK_THROWS(outerIteration(dict("tolerance 0;"), false));
+}
