@@ -4,10 +4,13 @@
 
 namespace
 {
-    //- Courant number up to which iterations are accelerated, and the part of
-    //  the tolerance down to which: slow ones have to go that far
+    //- Courant number up to which iterations are accelerated
     const Foam::scalar maxAccelerated = 2;
-    const Foam::scalar leastAccelerated = 0.1;
+
+    //- Part of the tolerance down to which they are, as slow ones have to go
+    //  that far, and the relative change below which linear solvers are seen
+    const Foam::scalar farEnough = 0.1;
+    const Foam::scalar noise = 1e-5;
 }
 
 
@@ -97,15 +100,20 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         iteration_.noteFastest(gMax(mag(U_.primitiveField())()));
     }
 
-    // What is combined has no flux: of that which iterations change little
-    acceleration_.watch
-    (
-        iteration_.number(),
-        free && iteration_.more() && CoNum < maxAccelerated
-      ? iteration_.change()
-      : 0,
-        leastAccelerated*iteration_.tolerance()
-    );
+    // What is combined has no flux: of that which iterations change little. The
+    // last one is combined if those before it were: slow parts of what is left
+    // are larger than what it has changed.
+    if (!iteration_.converged())
+    {
+        acceleration_.watch
+        (
+            iteration_.number(),
+            free && !iteration_.lost() && CoNum < maxAccelerated
+          ? iteration_.change()
+          : 0,
+            max(farEnough*iteration_.tolerance(), noise)
+        );
+    }
 }
 
 

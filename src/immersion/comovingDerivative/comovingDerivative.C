@@ -23,14 +23,15 @@ namespace
     const Foam::scalar fast = 0.25;
 
 
-    //- Upper bounds of the displacements of a body's points since another state
+    //- Upper bounds of the displacements of a body's points between two states
     Foam::vector farthest
     (
         const Foam::immersedBody& body,
-        const Foam::bodyState& before
+        const Foam::bodyState& before,
+        const Foam::bodyState& after
     )
     {
-        return Foam::surfaceDisplacement(body, before)
+        return Foam::surfaceDisplacement(body, before, after)
             .bound(body.shape().boundingRadius());
     }
 }
@@ -152,9 +153,6 @@ void Foam::comovingDerivative::findMoving
     const scalar nu
 )
 {
-    const scalar deltaT = mesh_.time().deltaTValue();
-    const scalar deltaTs = deltaT + mesh_.time().deltaT0Value();
-
     active_ = false;
     components_.clear();
     parts_.resize(bodies.size());
@@ -171,18 +169,28 @@ void Foam::comovingDerivative::findMoving
             continue;
         }
 
-        const vector s0(farthest(body, body.oldState()));
-        const vector s00(farthest(body, body.oldOldState()));
-        const scalar V = max(mag(s0)/deltaT, mag(s00)/deltaTs);
+        // In the last time step: what iterations change would change it
+        const scalar V =
+            mag(farthest(body, body.oldOldState(), body.oldState()))
+           /mesh_.time().deltaT0Value();
 
         parts_[bodyi] =
             min(max((V*h[bodyi]/nu - slow)/(fast - slow), 0), 1);
+
+        const vector far
+        (
+            max
+            (
+                farthest(body, body.oldState(), body.state()),
+                farthest(body, body.oldOldState(), body.state())
+            )
+        );
 
         for (direction k = 0; k < 3 && parts_[bodyi] > 0; ++k)
         {
             if
             (
-                max(s0[k], s00[k]) > still*body.shape().width()
+                far[k] > still*body.shape().width()
              && !components_.found(k)
             )
             {
