@@ -15,6 +15,7 @@ Usage
         Run function objects on the stored times. */
 
 #include "fvCFD.H"
+#include "fieldMemory.H"
 #include "flowSolver.H"
 #include "functionObjectList.H"
 

@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "smoothedFlux.H"
+#include "coupledValues.H"
 #include "snGradScheme.H"
-
-template<class Type>
-Foam::List<Foam::Field<Type>> Foam::smoothedFlux::beyond
-(
-    const GeometricField<Type, fvPatchField, volMesh>& field
-)
-{
-    List<Field<Type>> values(field.boundaryField().size());
-
-    forAll(values, patchi)
-    {
-        if (field.boundaryField()[patchi].coupled())
-        {
-            values[patchi] =
-                field.boundaryField()[patchi].patchNeighbourField();
-        }
-    }
-
-    return values;
-}
-
 
 Foam::smoothedFlux::smoothedFlux
 (
@@ -44,10 +24,10 @@ Foam::smoothedFlux::smoothedFlux
     p_(p),
     tau_(tau),
     correction_(nullptr),
-    neighbourU_(beyond(U)),
-    neighbourGradP_(beyond(gradP)),
-    neighbourP_(beyond(p)),
-    neighbourTau_(beyond(tau))
+    neighbourU_(coupledValues(U)),
+    neighbourGradP_(coupledValues(gradP)),
+    neighbourP_(coupledValues(p)),
+    neighbourTau_(coupledValues(tau))
 {
     const word scheme("snGrad(" + p.name() + ')');
 

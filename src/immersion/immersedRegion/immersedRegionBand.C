@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedRegion.H"
+#include "coupledValues.H"
 #include "bandRows.H"
 
 namespace
@@ -19,7 +20,7 @@ void Foam::immersedRegion::addConvection
 ) const
 {
     const surfaceScalarField& weights = mesh_.weights();
-    const List<vectorField> neighbourU(coupledNeighbours(U));
+    const List<vectorField> neighbourU(coupledValues(U));
 
     for (const label celli : cells_)
     {
@@ -148,7 +149,7 @@ Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
 
     weight_.correctBoundaryConditions();
 
-    const List<scalarField> beyond(coupledNeighbours(weight_));
+    const List<scalarField> beyond(coupledValues(weight_));
 
     forAll(beyond, patchi)
     {

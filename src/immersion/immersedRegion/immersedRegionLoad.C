@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedRegion.H"
-
-template<class Type>
-Foam::List<Foam::Field<Type>> Foam::immersedRegion::coupledNeighbours
-(
-    const GeometricField<Type, fvPatchField, volMesh>& field
-)
-{
-    List<Field<Type>> values(field.boundaryField().size());
-
-    forAll(values, patchi)
-    {
-        if (field.boundaryField()[patchi].coupled())
-        {
-            values[patchi] =
-                field.boundaryField()[patchi].patchNeighbourField();
-        }
-    }
-
-    return values;
-}
-
+#include "coupledValues.H"
 
 Foam::vector Foam::immersedRegion::rowH
 (
@@ -64,7 +44,7 @@ void Foam::immersedRegion::setFluidPart
     const vectorField& gradP
 ) const
 {
-    const List<vectorField> neighbourU(coupledNeighbours(U));
+    const List<vectorField> neighbourU(coupledValues(U));
     const scalarField& K = K_;
 
     for (const label celli : cells_)
@@ -118,8 +98,8 @@ void Foam::immersedRegion::load
         return;
     }
 
-    const List<scalarField> neighbourA(coupledNeighbours(A0));
-    const List<scalarField> neighbourK(coupledNeighbours(K_));
+    const List<scalarField> neighbourA(coupledValues(A0));
+    const List<scalarField> neighbourK(coupledValues(K_));
 
     for (bodyLoad& load : loads)
     {

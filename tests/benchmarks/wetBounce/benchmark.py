@@ -103,11 +103,13 @@ def bounce(folder, name, stokes, cells, courant=0.3, contact="",
     # Before the wall slows it down
     down = slice(None, turn[0] if len(turn) else None)
     impact = -u[down][x[down] > GAP][-1]
-    found = [run.row("St", stokes*impact)]
+    # With the mass of the fluid that moves along
+    number = stokes*impact*(ratio + 0.5)/ratio
+    found = [run.row("St", number)]
     if not len(turn) or x[turn[0]:].max() < LEAST:
         return [*found, run.row("e/e_dry: none", 0)]
 
-    expected = math.exp(-35/(stokes*impact))
+    expected = math.exp(-35/number)
     leaves = rebound_speed(t, x, u, turn[0], impact)
     found.append(run.row("e/e_dry", leaves/impact/DRY, expected))
     up = slice(turn[0] - 1, None)
