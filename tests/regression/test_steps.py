@@ -39,7 +39,7 @@ def prepare(tube, folder, n_outer, deltaT):
 
 
 def test_a_step_is_repeated_with_half_its_length(tube, tmp_path):
-    deltaT = 0.07
+    deltaT = 0.08
     case = prepare(tube, tmp_path, 3, deltaT)
     log = case.solve()
     repeats = re.findall(r"Time = (\S+), repeated with deltaT = (\S+)", log)
@@ -57,7 +57,7 @@ def test_a_step_is_repeated_with_half_its_length(tube, tmp_path):
 
 
 def test_a_restart_within_a_halved_step_is_exact(tube, tmp_path):
-    deltaT = 0.07
+    deltaT = 0.08
     at_once = prepare(tube, tmp_path, 3, deltaT)
     at_once.controls(
         writeControl="timeStep", writeInterval=1, timePrecision=15,

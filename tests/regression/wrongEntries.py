@@ -28,6 +28,15 @@ def sensor(entries):
 # What is wrong: (file, text of the case, text instead, parts of the message)
 WRONG = {
     # Keywords
+    "keyword that is required": (
+        FILE, "bodies\n",
+        "contact { type softSphere; law Hertz; youngModulus 1e7;"
+        " poissonRatio 0.3; }\nbodies\n",
+        [
+            "'contact' has no entry 'youngsModulus'",
+            "nearest there is 'youngModulus'", FILE,
+        ],
+    ),
     "keyword": (
         FILE, "rho  ", "roh  ",
         ["'roh'", "nearest valid one is 'rho'", "Valid keywords", FILE],

@@ -89,6 +89,11 @@ TEST_CASE("positive numbers are those above zero", "[keywords]")
     CHECK_THAT
     (
         messageOf([&]{ keywords::positive(dict(""), "rho"); }),
-        Contains("rho")
+        Contains("no entry 'rho'")
+    );
+    CHECK_THAT
+    (
+        messageOf([&]{ keywords::positive(dict("roh 1; g 2;"), "rho"); }),
+        Contains("nearest there is 'roh'")
     );
 }

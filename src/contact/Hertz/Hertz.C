@@ -24,6 +24,7 @@ using Foam::scalar;
 Foam::Pair<scalar> compliance(const Foam::dictionary& dict)
 {
     const scalar E = Foam::keywords::positive(dict, "youngsModulus");
+    Foam::keywords::require(dict, "poissonRatio");
     const scalar nu = dict.get<scalar>("poissonRatio");
 
     if (!(nu > -1 && nu <= 0.5))

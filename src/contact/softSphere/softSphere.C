@@ -28,15 +28,29 @@ Foam::contactModels::softSphere::softSphere
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
-    wordList valid
+    wordList ours
     ({
         "type", "law", "subSteps", "largestOverlap", "restitution", "friction"
     });
-    valid.append(law_->keywords());
-    valid.append(law_->materialKeywords());
-    valid.append(contactMaterials::keywords);
+    ours.append(contactMaterials::keywords);
 
-    keywords::check(dict, valid);
+    wordList ofLaw(law_->keywords());
+    ofLaw.append(law_->materialKeywords());
+
+    for (const word& key : ofLaw)
+    {
+        if (ours.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The contact law '" << law_->type() << "' has a keyword '"
+                << key << "', which means something else in '"
+                << dict.dictName() << "'; in use are " << flatOutput(ours)
+                << nl << exit(FatalIOError);
+        }
+    }
+
+    ours.append(ofLaw);
+    keywords::check(dict, ours);
 }
 
 

@@ -100,15 +100,15 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         iteration_.noteFastest(gMax(mag(U_.primitiveField())()));
     }
 
-    // What is combined has no flux: of that which iterations change little. The
-    // last one is combined if those before it were: slow parts of what is left
-    // are larger than what it has changed.
+    // What is combined has no flux: of that which iterations change little. One
+    // that has converged is combined if those before it were: slow parts of
+    // what is left are larger than what it has changed.
     if (!iteration_.converged())
     {
         acceleration_.watch
         (
             iteration_.number(),
-            free && !iteration_.lost() && CoNum < maxAccelerated
+            free && iteration_.more() && CoNum < maxAccelerated
           ? iteration_.change()
           : 0,
             max(farEnough*iteration_.tolerance(), noise)

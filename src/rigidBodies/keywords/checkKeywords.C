@@ -133,8 +133,29 @@ Foam::word Foam::keywords::choice
 }
 
 
+void Foam::keywords::require(const dictionary& dict, const word& key)
+{
+    if (dict.found(key))
+    {
+        return;
+    }
+
+    const word alike(nearest(key, dict.toc()));
+
+    FatalIOErrorInFunction(dict)
+        << "'" << dict.dictName() << "' has no entry '" << key << "'";
+    if (!alike.empty())
+    {
+        FatalIOError << "; the nearest there is '" << alike << "'";
+    }
+    FatalIOError << nl << exit(FatalIOError);
+}
+
+
 Foam::scalar Foam::keywords::positive(const dictionary& dict, const word& key)
 {
+    require(dict, key);
+
     const scalar value = dict.get<scalar>(key);
 
     if (!(value > 0))
