@@ -260,7 +260,7 @@ def test_a_step_after_an_entry_can_be_repeated(tmp_path):
             light
             {
                 shape       { type disc; radius 0.2; }
-                densityRatio 0.01;
+                densityRatio 0.003;
                 position    (0.013 -0.3 0);
                 times       (0.05);
                 velocity    (0.2 0.3 0);
