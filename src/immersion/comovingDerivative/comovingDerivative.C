@@ -140,7 +140,8 @@ void Foam::comovingDerivative::addFarther
     near.update(body, region.shift(), search, end*h);
     add
     (
-        body, parts_[region.body()], end, false, near.faces, near.x, near.distance,
+        body, parts_[region.body()], end, false,
+        near.faces, near.x, near.distance,
         [&](label) { return h; }
     );
 }
