@@ -170,10 +170,14 @@ void Foam::comovingDerivative::findMoving
             continue;
         }
 
-        // In the last time step: what iterations change would change it
-        const scalar V =
-            mag(farthest(body, body.oldOldState(), body.oldState()))
-           /mesh_.time().deltaT0Value();
+        // In the last time step, as iterations change that in this one; but in
+        // the first in which it moves there is no other
+        const scalar last =
+            mag(farthest(body, body.oldOldState(), body.oldState()));
+        const scalar V = last > 0
+          ? last/mesh_.time().deltaT0Value()
+          : mag(farthest(body, body.oldState(), body.state()))
+           /mesh_.time().deltaTValue();
 
         parts_[bodyi] =
             min(max((V*h[bodyi]/nu - slow)/(fast - slow), 0), 1);
