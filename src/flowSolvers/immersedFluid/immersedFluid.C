@@ -79,7 +79,10 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     keepOldTimes();
     correctViscosity();
     addBodyWalls();
-    retry_.reset(new timeStepRetry(mesh_, runTime_));
+    if (bodies_.moving())
+    {
+        retry_.reset(new timeStepRetry(mesh_, runTime_));
+    }
 
     OStringStream coupling;
     iteration_.describe(coupling);

@@ -5,7 +5,10 @@
 void Foam::flowSolvers::immersedFluid::preSolve()
 {
     setTimeStep();
-    retry_->begin(adjustTimeStep);
+    if (retry_.valid())
+    {
+        retry_->begin(adjustTimeStep);
+    }
     if (flowRate_)
     {
         flowRate_->beginStep();
