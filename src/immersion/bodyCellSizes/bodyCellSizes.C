@@ -63,7 +63,7 @@ void Foam::bodyCellSizes::measure
     compat::allReduce(atSurface, maxEqOp<scalar>());
     compat::allReduce(inBand, maxEqOp<scalar>());
 
-    scalarField& h = *this;
+    scalarList& h = *this;
 
     forAll(h, bodyi)
     {

@@ -10,10 +10,11 @@ Foam::immersedRegion::immersedRegion
     const geometricSpace& space,
     const periodicity& periods,
     const dictionary& dict,
-    const label nBodies,
+    bodyList& bodies,
     const bool bodiesMove
 )
 :
+    bodyList::dependent(bodies),
     mesh_(mesh),
     periodicity_(periods),
     search_(mesh, space),
@@ -21,7 +22,7 @@ Foam::immersedRegion::immersedRegion
     delta_(mesh.boundary().size()),
     coupled_(false),
     resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
-    regions_(nBodies),
+    regions_(bodies.size()),
     K_
     (
         IOobject("resistance", mesh.time().timeName(), mesh),

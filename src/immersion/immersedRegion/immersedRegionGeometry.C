@@ -93,13 +93,22 @@ void Foam::immersedRegion::combineShields
 }
 
 
-void Foam::immersedRegion::append(autoPtr<bodyRegion> region)
+void Foam::immersedRegion::added()
 {
-    regions_.append(region.ptr());
+    // Before the images
+    const label bodyi = bodies().size() - 1;
+
+    regions_.resize(regions_.size() + 1);
+
+    for (label i = regions_.size() - 1; i > bodyi; --i)
+    {
+        regions_.set(i, regions_.release(i - 1));
+    }
+    regions_.set(bodyi, new bodyRegion(bodyi));
 }
 
 
-void Foam::immersedRegion::remove(const label bodyi)
+void Foam::immersedRegion::removed(const label bodyi)
 {
     PtrList<bodyRegion> others(regions_.size());
     label n = 0;

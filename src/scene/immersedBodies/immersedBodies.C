@@ -91,6 +91,8 @@ Foam::immersedBodies::immersedBodies
     passage_(new bodyPassage(dict_, space_, mesh, rho_, bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
+    h_(bodies_),
+    oldH_(bodies_),
     lubrication_
     (
         lubricationModel::New
@@ -114,13 +116,13 @@ Foam::immersedBodies::immersedBodies
         space_,
         periodicity_,
         dict.subOrEmptyDict("resistance"),
-        bodies_.size(),
+        bodies_,
         moving_
     ),
     frame_(new comovingDerivative(mesh, region_.neighbours())),
     proximity_(mesh, periodicity_, contact_()),
-    nParts_(bodies_.size(), 1),
-    loads_(bodies_.size()),
+    nParts_(bodies_, 1),
+    loads_(bodies_),
     steady_(dict)
 {
     const dictionary& coupling = dict.subOrEmptyDict("coupling");

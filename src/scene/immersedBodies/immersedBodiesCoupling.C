@@ -31,12 +31,11 @@ const Foam::DynamicList<Foam::label>& Foam::immersedBodies::cellsBeside
 
 void Foam::immersedBodies::placeInMesh()
 {
-    const bool known = h_.size() == size();
+    // Those of a previous run stay, or it could not go on exactly
+    const bool known = size() == 0 || min(h_) > 0;
 
     if (!known)
     {
-        h_.resize(size());
-
         forAll(h_, bodyi)
         {
             h_[bodyi] =

@@ -89,7 +89,16 @@ bool Foam::immersedBodies::readState()
     passage_->readState(states, bodies_);
     contact_->readState(states);
     sleep_.readState(states, bodies_);
-    h_ = states.lookupOrDefault<scalarList>("cellSizes", scalarList());
+
+    const scalarList h
+    (
+        states.lookupOrDefault<scalarList>("cellSizes", scalarList())
+    );
+
+    if (h.size() == h_.size())
+    {
+        h_ = h;
+    }
 
     return true;
 }

@@ -5,49 +5,9 @@
 #include "compat.H"
 #include "unresolvedCoupling.H"
 
-namespace
-{
-
-//- Take element i out of a list; those after it move up
-template<class Type>
-void erase(Foam::List<Type>& list, const Foam::label i)
-{
-    for (Foam::label j = i + 1; j < list.size(); ++j)
-    {
-        list[j - 1] = list[j];
-    }
-    list.resize(list.size() - 1);
-}
-
-} // End anonymous namespace
-
-
 const Foam::UList<Foam::bodyDeparture>& Foam::immersedBodies::departed() const
 {
     return passage_->departed();
-}
-
-
-Foam::autoPtr<Foam::immersedBody> Foam::immersedBodies::take
-(
-    const label bodyi
-)
-{
-    autoPtr<immersedBody> body(bodies_.release(bodyi));
-
-    for (label i = bodyi + 1; i < size(); ++i)
-    {
-        bodies_.set(i - 1, bodies_.release(i).ptr());
-    }
-    bodies_.resize(size() - 1);
-
-    region_.remove(bodyi);
-    unresolved_->remove(bodyi);
-    erase(nParts_, bodyi);
-    erase(loads_, bodyi);
-    erase(h_, bodyi);
-
-    return body;
 }
 
 
@@ -98,7 +58,7 @@ bool Foam::immersedBodies::leave()
         (
             body, "leaves", body.passing(), window_.displacement()
         );
-        passage_->take(take(bodyi));
+        passage_->take(bodies_.take(bodyi));
         changed = true;
     }
 
@@ -173,15 +133,12 @@ bool Foam::immersedBodies::enter
     volVectorField& U
 )
 {
-    autoPtr<bodyRegion> region(new bodyRegion(size()));
-    region->update
-    (
-        body(), region_.search(), region_.resistance().bandWidth()
-    );
+    bodyRegion region(size());
+    region.update(body(), region_.search(), region_.resistance().bandWidth());
 
-    const scalar h = resolve(body(), region());
+    const scalar h = resolve(body(), region);
 
-    if (h == 0 || !room(body(), region(), h, gap))
+    if (h == 0 || !room(body(), region, h, gap))
     {
         return false;
     }
@@ -189,7 +146,7 @@ bool Foam::immersedBodies::enter
     const displacedFluid fluid
     (
         body->resolved()
-      ? region_.fluidInside(body(), region(), U)
+      ? region_.fluidInside(body(), region, U)
       : region_.fluidAt(body->state().position, U)
     );
 
@@ -198,18 +155,11 @@ bool Foam::immersedBodies::enter
     // As at the start of a run, for all time levels there are
     if (body->resolved())
     {
-        region_.restartFluid(body(), region(), U);
-    }
-    else
-    {
-        region->clear();
+        region_.restartFluid(body(), region, U);
     }
 
-    bodies_.append(body.ptr());
-    region_.append(region);
-    nParts_.append(1);
-    loads_.append(bodyLoad());
-    h_.append(h);
+    bodies_.append(std::move(body));
+    h_.last() = h;
 
     return true;
 }

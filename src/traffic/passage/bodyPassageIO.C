@@ -36,17 +36,17 @@ Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
 void Foam::bodyPassage::readState
 (
     const dictionary& states,
-    PtrList<immersedBody>& bodies
+    bodyList& bodies
 )
 {
     const dictionary& bodyStates = states.subDict("bodies");
-    PtrList<immersedBody> known;
+    PtrList<immersedBody> known, inMesh;
     HashTable<label> numbers;
 
-    known.transfer(bodies);
-    forAll(known, i)
+    while (bodies.size())
     {
-        numbers.insert(known[i].name(), i);
+        numbers.insert(bodies.last().name(), known.size());
+        known.append(bodies.take(bodies.size() - 1));
     }
 
     // In the order there was, which sums over bodies depend on
@@ -74,7 +74,8 @@ void Foam::bodyPassage::readState
         }
     };
 
-    read(bodyStates, bodies);
+    read(bodyStates, inMesh);
+    bodies.exchange(std::move(inMesh));
     read(states.subOrEmptyDict("waiting"), waiting_);
 
     states.readIfPresent("gone", gone_);

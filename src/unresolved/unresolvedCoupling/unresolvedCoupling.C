@@ -54,7 +54,7 @@ Foam::scalar Foam::unresolvedCoupling::largestCell
     const scalar radius
 ) const
 {
-    const bodyKernel& kernel = kernels_[bodyi];
+    const bodyKernel& kernel = grains_[bodyi].kernel;
     scalar largest = 0;
 
     forAll(kernel.cells, i)
@@ -71,60 +71,33 @@ Foam::scalar Foam::unresolvedCoupling::largestCell
 }
 
 
-void Foam::unresolvedCoupling::resize(const PtrList<immersedBody>& bodies)
+Foam::scalar Foam::unresolvedCoupling::checkedSphericity
+(
+    const immersedBody& body
+) const
 {
-    const label nOld = kernels_.size();
-
-    kernels_.resize(bodies.size());
-    sphericities_.setSize(bodies.size());
-
-    for (label i = nOld; i < bodies.size(); ++i)
+    if (frozen_ && type(body) != "unresolved")
     {
-        if (frozen_ && type(bodies[i]) != "unresolved")
-        {
-            FatalErrorInFunction
-                << "'fluid frozen' in 'coupling' of immersedBodyProperties"
-                << " needs bodies that are all unresolved, and "
-                << bodies[i].name() << " is of the type '" << type(bodies[i])
-                << "'" << nl << exit(FatalError);
-        }
-
-        if (bodies[i].restrained() && type(bodies[i]) != "resolved")
-        {
-            FatalErrorInFunction
-                << "'restraints' in immersedBodyProperties need bodies that are"
-                << " resolved, and " << bodies[i].name() << " is of the type '"
-                << type(bodies[i]) << "'; use 'coupling resolved' for it" << nl
-                << exit(FatalError);
-        }
-
-        kernels_.set(i, new bodyKernel());
-        sphericities_[i] =
-            type(bodies[i]) == "resolved"
-          ? 1
-          : sphericity(bodies[i].shape()).value();
+        FatalErrorInFunction
+            << "'fluid frozen' in 'coupling' of immersedBodyProperties"
+            << " needs bodies that are all unresolved, and "
+            << body.name() << " is of the type '" << type(body)
+            << "'" << nl << exit(FatalError);
     }
 
-    inside_.setSize(bodies.size());
-}
-
-
-void Foam::unresolvedCoupling::remove(const label bodyi)
-{
-    kernels_.set(bodyi, nullptr);
-
-    for (label i = bodyi + 1; i < kernels_.size(); ++i)
+    if (body.restrained() && type(body) != "resolved")
     {
-        kernels_.set(i - 1, kernels_.release(i));
-        sphericities_[i - 1] = sphericities_[i];
-        inside_[i - 1] = inside_[i];
+        FatalErrorInFunction
+            << "'restraints' in immersedBodyProperties need bodies that are"
+            << " resolved, and " << body.name() << " is of the type '"
+            << type(body) << "'; use 'coupling resolved' for it" << nl
+            << exit(FatalError);
     }
 
-    const label n = kernels_.size() - 1;
-
-    kernels_.resize(n);
-    sphericities_.setSize(n);
-    inside_.setSize(n);
+    return
+        type(body) == "resolved"
+      ? 1
+      : Foam::sphericity(body.shape()).value();
 }
 
 
@@ -134,19 +107,25 @@ void Foam::unresolvedCoupling::update
     scalarList& h
 )
 {
-    resize(bodies);
     nUnresolved_ = 0;
 
     forAll(bodies, i)
     {
+        grain& one = grains_[i];
+
+        if (one.sphericity == 0)
+        {
+            one.sphericity = checkedSphericity(bodies[i]);
+        }
+
         if (bodies[i].resolved())
         {
-            kernels_[i].clear();
+            one.kernel.clear();
             continue;
         }
 
         ++nUnresolved_;
-        kernels_[i].update
+        one.kernel.update
         (
             bodies[i].state().position,
             max(kernelCells_*h[i], kernelDiameters_*diameter(bodies[i])),
@@ -177,7 +156,7 @@ void Foam::unresolvedCoupling::normalise
 
     forAll(bodies, i)
     {
-        const bodyKernel& kernel = kernels_[i];
+        const bodyKernel& kernel = grains_[i].kernel;
 
         sums[n*i] = kernel.sum(mesh_.V());
 
@@ -197,16 +176,16 @@ void Foam::unresolvedCoupling::normalise
         const label at = n*i + (sums[n*i + 1] > 0 ? 1 : 3);
         const scalar found = sums[at];
 
-        inside_[i] = found > 0;
+        grains_[i].inside = found > 0;
 
-        if (inside_[i])
+        if (found > 0)
         {
             h[i] = sums[at + 1]/found;
-            kernels_[i].normalise(sums[n*i]);
+            grains_[i].kernel.normalise(sums[n*i]);
         }
         else
         {
-            kernels_[i].weight = scalar(0);
+            grains_[i].kernel.weight = scalar(0);
         }
     }
 }
@@ -228,7 +207,7 @@ void Foam::unresolvedCoupling::cover(const PtrList<immersedBody>& bodies)
 
     forAll(bodies, bodyi)
     {
-        const bodyKernel& kernel = kernels_[bodyi];
+        const bodyKernel& kernel = grains_[bodyi].kernel;
         const scalar V = bodies[bodyi].volume();
         const scalar D = diameter(bodies[bodyi]);
 

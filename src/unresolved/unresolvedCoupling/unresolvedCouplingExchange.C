@@ -19,7 +19,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 
     forAll(bodies, bodyi)
     {
-        const bodyKernel& kernel = kernels_[bodyi];
+        const bodyKernel& kernel = grains_[bodyi].kernel;
         const scalar D = diameter(bodies[bodyi]);
 
         forAll(kernel.cells, i)
@@ -122,7 +122,7 @@ void Foam::unresolvedCoupling::correct
     {
         immersedBody& body = bodies[i];
 
-        if (body.resolved() || !inside_[i])
+        if (body.resolved() || !grains_[i].inside)
         {
             continue;
         }
@@ -132,7 +132,7 @@ void Foam::unresolvedCoupling::correct
             drag_(),
             samples[i],
             body,
-            sphericities_[i],
+            grains_[i].sphericity,
             ddt,
             g,
             meshU,
@@ -158,7 +158,7 @@ void Foam::unresolvedCoupling::addLoads
 {
     forAll(bodies, bodyi)
     {
-        const bodyKernel& kernel = kernels_[bodyi];
+        const bodyKernel& kernel = grains_[bodyi].kernel;
         const vector P(factor*bodies[bodyi].load().force);
 
         forAll(kernel.cells, i)

@@ -32,7 +32,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     const geometricSpace& space,
     const cellSearch& search,
     const periodicity& periods,
-    const PtrList<immersedBody>& bodies
+    bodyList& bodies
 )
 :
     mesh_(search.mesh()),
@@ -45,6 +45,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),
     centres_(mesh_.cellCentres(), false),
+    grains_(bodies),
     nUnresolved_(0)
 {
     const dictionary& kernel = dict.subOrEmptyDict("kernel");
@@ -75,7 +76,10 @@ Foam::unresolvedCoupling::unresolvedCoupling
             << " are those of spheres" << nl << exit(FatalIOError);
     }
 
-    resize(bodies);
+    forAll(bodies, bodyi)
+    {
+        grains_[bodyi].sphericity = checkedSphericity(bodies[bodyi]);
+    }
 }
 
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyList.H"
+
+Foam::bodyList::dependent::dependent(bodyList& bodies)
+:
+    bodies_(bodies)
+{
+    bodies_.dependents_.append(this);
+}
+
+
+Foam::bodyList::dependent::~dependent()
+{
+    DynamicList<dependent*> others(bodies_.dependents_.size());
+
+    for (dependent* other : bodies_.dependents_)
+    {
+        if (other != this)
+        {
+            others.append(other);
+        }
+    }
+    bodies_.dependents_.transfer(others);
+}
+
+
+Foam::bodyList::bodyList(PtrList<immersedBody>&& bodies)
+:
+    PtrList<immersedBody>(std::move(bodies))
+{}
+
+
+void Foam::bodyList::append(autoPtr<immersedBody>&& body)
+{
+    PtrList<immersedBody>::append(std::move(body));
+
+    for (dependent* one : dependents_)
+    {
+        one->added();
+    }
+}
+
+
+Foam::autoPtr<Foam::immersedBody> Foam::bodyList::take(const label i)
+{
+    typedef PtrList<immersedBody> list;
+
+    autoPtr<immersedBody> body(list::release(i));
+
+    for (label j = i + 1; j < size(); ++j)
+    {
+        set(j - 1, list::release(j));
+    }
+    list::resize(size() - 1);
+
+    for (dependent* one : dependents_)
+    {
+        one->removed(i);
+    }
+
+    return body;
+}
+
+
+void Foam::bodyList::exchange(PtrList<immersedBody>&& bodies)
+{
+    while (size())
+    {
+        take(size() - 1);
+    }
+
+    forAll(bodies, i)
+    {
+        append(bodies.release(i));
+    }
+}

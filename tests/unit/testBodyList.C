@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyTools.H"
+#include "perBody.H"
+
+using namespace Foam;
+
+namespace
+{
+
+//- Bodies of the density ratios 1, 2, ... n
+PtrList<immersedBody> makeBodies(const label n)
+{
+    PtrList<immersedBody> bodies(n);
+
+    forAll(bodies, i)
+    {
+        bodies.set
+        (
+            i,
+            new immersedBody
+            (
+                bodyTools::makeBody("densityRatio " + name(i + 1) + ';')
+            )
+        );
+    }
+
+    return bodies;
+}
+
+
+//- What belongs to each body is its density ratio, that of new ones is zero
+bool inStep(const bodyList& bodies, const UList<scalar>& ratios)
+{
+    bool good = bodies.size() == ratios.size();
+
+    for (label i = 0; good && i < bodies.size(); ++i)
+    {
+        good = ratios[i] == 0 || ratios[i] == bodies[i].densityRatio();
+    }
+
+    return good;
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("What belongs to bodies follows them in and out", "[bodyList]")
+{
+    bodyList bodies(makeBodies(4));
+    perBody<scalar> ratios(bodies);
+
+    forAll(bodies, i)
+    {
+        ratios[i] = bodies[i].densityRatio();
+    }
+
+    SECTION("one is taken out, and added again")
+    {
+        autoPtr<immersedBody> second(bodies.take(1));
+
+        CHECK(second->densityRatio() == 2);
+        CHECK(bodies.size() == 3);
+        CHECK(inStep(bodies, ratios));
+        CHECK(ratios[1] == 3);
+
+        bodies.append(std::move(second));
+        CHECK(bodies.last().densityRatio() == 2);
+        CHECK(ratios.size() == 4);
+        CHECK(ratios.last() == 0);
+        CHECK(inStep(bodies, ratios));
+    }
+
+    SECTION("the last and the first are taken out")
+    {
+        bodies.take(3);
+        bodies.take(0);
+        CHECK(bodies.size() == 2);
+        CHECK(inStep(bodies, ratios));
+    }
+
+    SECTION("all are exchanged")
+    {
+        bodies.exchange(makeBodies(2));
+        CHECK(ratios == scalarList(2, scalar(0)));
+    }
+
+    SECTION("a list that is no longer there is not followed")
+    {
+        {
+            perBody<label> other(bodies, 7);
+
+            bodies.take(2);
+            CHECK(other == labelList(3, label(7)));
+        }
+        bodies.take(0);
+        CHECK(inStep(bodies, ratios));
+    }
+
+    SECTION("values are kept and given back")
+    {
+        perBody<scalar> old(bodies);
+
+        old = ratios;
+        ratios[2] = -1;
+        ratios = old;
+        CHECK(inStep(bodies, ratios));
+        CHECK(ratios[2] == 3);
+    }
+}
