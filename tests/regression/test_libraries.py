@@ -9,7 +9,8 @@ SRC = Path(__file__).resolve().parents[2]/"src"
 # Each may use those before it, and of the mesh what is said
 ORDER = (
     "rigidBodies", "contact", "immersion", "unresolved", "traffic", "scene",
-    "linearSolvers", "fvPatchFields", "flowSolvers", "functionObjects",
+    "linearSolvers", "fusedKernels", "fvPatchFields", "flowSolvers",
+    "functionObjects", "seedDrill",
 )
 WITHOUT_MESH = ("rigidBodies", "contact")
 ON_TOP = ORDER[6:]
@@ -81,9 +82,11 @@ def test_libraries_use_those_before_them():
             continue
         before = ORDER.index(used) < ORDER.index(user)
         # Solvers, conditions and function objects do not use each other, but
-        # flow solvers the linear ones and what conditions can do
+        # flow solvers the linear ones, the kernels and what conditions can do,
+        # and the seed drill what function objects share
         apart = used in ON_TOP and (user, used) not in (
-            ("flowSolvers", "linearSolvers"), ("flowSolvers", "fvPatchFields")
+            ("flowSolvers", "linearSolvers"), ("flowSolvers", "fvPatchFields"),
+            ("flowSolvers", "fusedKernels"), ("seedDrill", "functionObjects"),
         )
         if not before or apart:
             wrong.append((one, other))

@@ -312,8 +312,7 @@ WRONG = {
     ),
     "injector without times": (
         FILE, "bodies\n", injector("position (0 0 0);"),
-        ["'seeds'", "exactly one of 'times' [s], 'rate' [1/s] and 'roller'",
-         FILE],
+        ["'seeds'", "exactly one of 'rate', 'roller', 'times'", FILE],
     ),
     "keyword of an injector": (
         FILE, "bodies\n", injector("position (0 0 0); rate 1; ends 2;"),
@@ -361,7 +360,7 @@ WRONG = {
             "position (0 0 0); intervals random; seed 1;"
             " roller { revolutionsPerSecond 1; cells 10; }"
         ),
-        ["'intervals' in 'seeds'", "'rate', which it does not have", FILE],
+        ["'intervals' in 'seeds'", "nearest valid one is", FILE],
     ),
     "keyword of a roller": (
         FILE, "bodies\n", injector(

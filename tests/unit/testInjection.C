@@ -134,9 +134,10 @@ TEST_CASE("Wrong schedules are refused", "[injection]")
         return messageOf([&]{ schedule(text); });
     };
 
-    CHECK_THAT(refusal("start 1;"), Contains("exactly one of 'times'"));
+    CHECK_THAT(refusal("start 1;"),
+        Contains("exactly one of 'rate', 'roller', 'times' and has none"));
     CHECK_THAT(refusal("times (1); rate 2;"),
-        Contains("exactly one of 'times'"));
+        Contains("has 'rate', 'times'"));
     CHECK_THAT(refusal("times (1 3 2);"), Contains("2 is after 3"));
     CHECK_THAT(refusal("rate 0;"), Contains("'rate 0'"));
     CHECK_THAT(refusal("rate 1; intervals randm;"), Contains("'random'"));

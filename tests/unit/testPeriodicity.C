@@ -5,7 +5,7 @@
 #include "immersedBody.H"
 #include "meshProperties.H"
 #include "periodicity.H"
-#include "proximityMonitor.H"
+#include "contactPoint.H"
 
 using namespace Foam;
 using testTools::difference;
@@ -109,7 +109,7 @@ TEST_CASE("Periods of a mesh", "[periodicity][parallel]")
 }
 
 
-TEST_CASE("Gap to an image", "[periodicity][proximity]")
+TEST_CASE("Gap to an image", "[periodicity][contact]")
 {
     const geometricSpace threeD(-1);
 
@@ -126,7 +126,7 @@ TEST_CASE("Gap to an image", "[periodicity][proximity]")
     const immersedBody sphere(body("type sphere; radius 1;", {1, 0, 0}));
     const vector shift(10, 0, 0);
 
-    CHECK(proximityMonitor::gap(box, sphere, shift) == near(0));
-    CHECK(proximityMonitor::gap(sphere, box, -shift) == near(0));
-    CHECK(proximityMonitor::gap(box, box, shift) == near(8));
+    CHECK(contactPoint(box, sphere, shift).gap == near(0));
+    CHECK(contactPoint(sphere, box, -shift).gap == near(0));
+    CHECK(contactPoint(box, box, shift).gap == near(8));
 }

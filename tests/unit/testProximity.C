@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "testTools.H"
-#include "proximityMonitor.H"
+#include "contactPoint.H"
 
 using namespace Foam;
 using testTools::near;
 using testTools::shape;
 
 
-TEST_CASE("Gap between bodies", "[proximity]")
+TEST_CASE("Gap between bodies", "[contact]")
 {
     const geometricSpace threeD(-1);
 
@@ -27,18 +27,18 @@ TEST_CASE("Gap between bodies", "[proximity]")
 
     // With a sphere beyond an edge, either way round
     const immersedBody sphere(body("type sphere; radius 2;", {4, 6, 0.3}));
-    CHECK(proximityMonitor::gap(a, sphere) == near(3));
-    CHECK(proximityMonitor::gap(sphere, a) == near(3));
+    CHECK(contactPoint(a, sphere).gap == near(3));
+    CHECK(contactPoint(sphere, a).gap == near(3));
 
     // Tip of one to a face of the other, from both sides of zero
     const immersedBody apart(body(ellipsoid, {3.25, 0.1, 0.2}));
-    CHECK(proximityMonitor::gap(a, apart) == near(0.25));
-    CHECK(proximityMonitor::gap(apart, a) == near(0.25));
+    CHECK(contactPoint(a, apart).gap == near(0.25));
+    CHECK(contactPoint(apart, a).gap == near(0.25));
 
     const immersedBody touching(body(ellipsoid, {2.75, 0.1, 0.2}));
-    CHECK(proximityMonitor::gap(a, touching) == near(-0.25));
+    CHECK(contactPoint(a, touching).gap == near(-0.25));
 
     // Within the bounding spheres of each other and yet apart
     const immersedBody above(body(box, {2.5, 0, 0}));
-    CHECK(proximityMonitor::gap(a, above) == near(0.5));
+    CHECK(contactPoint(a, above).gap == near(0.5));
 }

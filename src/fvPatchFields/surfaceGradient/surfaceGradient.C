@@ -2,103 +2,133 @@
 
 #include "surfaceGradient.H"
 #include "surfaceFields.H"
+#include "syncTools.H"
 
 namespace
 {
 
 using namespace Foam;
 
-//- U, in the cells at the patch that on the patch
-tmp<volVectorField> raised(const volVectorField& U, const label patchi)
+//- The velocity U, with that on a patch in place of it in the cells there
+class raisedField
 {
-    const fvMesh& mesh = U.mesh();
-    const fvPatchVectorField& Up = U.boundaryField()[patchi];
-    const labelUList& cells = Up.patch().faceCells();
+    const fvMesh& mesh_;
 
-    tmp<volVectorField> tV
-    (
-        new volVectorField
-        (
-            IOobject("raisedU", mesh.time().timeName(), mesh),
-            mesh,
-            dimensionedVector(U.dimensions(), Zero)
-        )
-    );
-    volVectorField& V = tV.ref();
-    scalarField nFaces(mesh.nCells(), Zero);
+    const volVectorField& U_;
 
-    forAll(cells, facei)
+    //- Mean velocity [m/s] on the faces of the patch, by cell
+    Map<vector> atPatch_;
+
+    //- Velocity [m/s] in the cells beyond coupled patches, by boundary face;
+    //  empty if there are no such patches
+    vectorField beyond_;
+
+
+    //- Set beyond_. Collective.
+    void exchange()
     {
-        V[cells[facei]] += Up[facei];
-        nFaces[cells[facei]] += 1;
-    }
+        // Cyclic patches are on all processors
+        bool any = Pstream::parRun();
 
-    forAll(nFaces, celli)
-    {
-        V[celli] = nFaces[celli] > 0 ? V[celli]/nFaces[celli] : U[celli];
-    }
-    V.correctBoundaryConditions();
-
-    // Values of other patches, beside those that are coupled
-    forAll(V.boundaryField(), patchj)
-    {
-        fvPatchVectorField& Vp = V.boundaryFieldRef()[patchj];
-
-        if (!Vp.coupled())
+        for (const fvPatch& patch : mesh_.boundary())
         {
-            Vp == U.boundaryField()[patchj];
+            any = any || patch.coupled();
         }
-        else
-        {
-            const scalarField w(Vp.patch().weights());
-            const vectorField inside(Vp.patchInternalField());
-            const vectorField across(Vp.patchNeighbourField());
 
-            Vp == w*inside + (1 - w)*across;
+        if (!any)
+        {
+            return;
         }
+
+        beyond_.resize(mesh_.nFaces() - mesh_.nInternalFaces(), Zero);
+
+        for (const fvPatch& patch : mesh_.boundary())
+        {
+            if (patch.coupled())
+            {
+                const label start = patch.start() - mesh_.nInternalFaces();
+
+                forAll(patch, i)
+                {
+                    beyond_[start + i] = inCell(patch.faceCells()[i]);
+                }
+            }
+        }
+        syncTools::swapBoundaryFaceList(mesh_, beyond_);
     }
 
-    return tV;
-}
+public:
 
-
-//- Value of V on a face of the mesh, and the area vector of that face
-Tuple2<vector, vector> onFace
-(
-    const volVectorField& V,
-    const label facei
-)
-{
-    const fvMesh& mesh = V.mesh();
-
-    if (mesh.isInternalFace(facei))
+    raisedField(const volVectorField& U, const label patchi)
+    :
+        mesh_(U.mesh()),
+        U_(U)
     {
-        const scalar w = mesh.weights()[facei];
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const labelUList& cells = Up.patch().faceCells();
+        Map<scalar> nFaces(2*cells.size());
 
-        return Tuple2<vector, vector>
+        atPatch_.resize(2*cells.size());
+
+        forAll(cells, facei)
+        {
+            atPatch_(cells[facei], Zero) += Up[facei];
+            nFaces(cells[facei], 0) += 1;
+        }
+        forAllIters(atPatch_, iter)
+        {
+            iter.val() /= nFaces[iter.key()];
+        }
+        exchange();
+    }
+
+    //- Value in a cell [m/s]
+    const vector& inCell(const label celli) const
+    {
+        const auto iter = atPatch_.cfind(celli);
+
+        return iter.found() ? iter.val() : U_[celli];
+    }
+
+    //- Area vector of a face of a cell, outward, times what the value on it is
+    //  more than that in the cell [m3/s]
+    tensor flux(const label facei, const label celli) const
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            const label own = mesh_.owner()[facei];
+            const scalar w = mesh_.weights()[facei];
+            const vector value
+            (
+                w*inCell(own) + (1 - w)*inCell(mesh_.neighbour()[facei])
+            );
+
+            return (own == celli ? 1 : -1)*mesh_.Sf()[facei]
+               *(value - inCell(celli));
+        }
+
+        const label patchj = mesh_.boundaryMesh().whichPatch(facei);
+        const fvPatchVectorField& Up = U_.boundaryField()[patchj];
+
+        // Of an empty patch it has no faces
+        if (Up.empty())
+        {
+            return tensor::zero;
+        }
+
+        const label i = facei - Up.patch().start();
+        const scalar w = mesh_.weights().boundaryField()[patchj][i];
+        const vector value
         (
-            w*V[mesh.owner()[facei]] + (1 - w)*V[mesh.neighbour()[facei]],
-            mesh.Sf()[facei]
+            Up.coupled()
+          ? w*inCell(celli)
+          + (1 - w)*beyond_[facei - mesh_.nInternalFaces()]
+          : Up[i]
         );
+
+        return mesh_.Sf().boundaryField()[patchj][i]*(value - inCell(celli));
     }
-
-    const label patchj = mesh.boundaryMesh().whichPatch(facei);
-    const fvPatchVectorField& Vp = V.boundaryField()[patchj];
-
-    // Of an empty patch it has no faces
-    if (Vp.empty())
-    {
-        return Tuple2<vector, vector>(Zero, Zero);
-    }
-
-    const label i = facei - mesh.boundaryMesh()[patchj].start();
-
-    return Tuple2<vector, vector>
-    (
-        Vp[i],
-        mesh.Sf().boundaryField()[patchj][i]
-    );
-}
+};
 
 } // End anonymous namespace
 
@@ -111,8 +141,7 @@ Foam::tmp<Foam::tensorField> Foam::surfaceGradient::calculate
 {
     const fvMesh& mesh = U.mesh();
     const fvPatch& patch = mesh.boundary()[patchi];
-    const tmp<volVectorField> tV(raised(U, patchi));
-    const volVectorField& V = tV();
+    const raisedField V(U, patchi);
     const vectorField n(patch.nf());
 
     tmp<tensorField> tG(new tensorField(patch.size(), Zero));
@@ -124,13 +153,7 @@ Foam::tmp<Foam::tensorField> Foam::surfaceGradient::calculate
 
         for (const label facei : mesh.cells()[celli])
         {
-            const Tuple2<vector, vector> face(onFace(V, facei));
-            const bool out =
-                !mesh.isInternalFace(facei) || mesh.owner()[facei] == celli;
-
-            G[i] +=
-                (out ? 1 : -1)*face.second()*(face.first() - V[celli])
-               /mesh.V()[celli];
+            G[i] += V.flux(facei, celli)/mesh.V()[celli];
         }
 
         G[i] = G[i] - n[i]*(n[i] & G[i]);

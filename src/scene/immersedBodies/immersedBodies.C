@@ -161,7 +161,7 @@ Foam::immersedBodies::immersedBodies
     checkInside();
     h_.checkResolution(bodies_, dict_.subOrEmptyDict("bodies"));
 
-    if (proximity_.check(bodies_, region_, h_, mesh_))
+    if (proximity_.check(bodies_, region_, h_))
     {
         FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
             << "'bodies' must not overlap each other or a wall"

@@ -37,7 +37,7 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     (
         dict,
         {
-            "rho", "resistance", "coupling", "motion", "contact",
+            "rho", "resistance", "coupling", "contact",
             "lubrication", "window", "steady", "sleep", "leaving",
             "injection", "bodies", "grains", "turbulentWalls"
         }
@@ -45,16 +45,6 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
     wordList ofCoupling(unresolvedCoupling::keywords);
     ofCoupling.append(outerIteration::keywords);
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
-
-    auto onlyChoice = [&](const word& key, const word& type)
-    {
-        const dictionary& sub = dict.subOrEmptyDict(key);
-
-        keywords::check(sub, {"type"});
-        keywords::choice(sub, "type", {type}, type);
-    };
-
-    onlyChoice("motion", "matching");
 
     return dict;
 }

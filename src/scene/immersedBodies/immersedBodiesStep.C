@@ -202,7 +202,7 @@ bool Foam::immersedBodies::endStep()
 
     bool good = leave();
 
-    if (proximity_.check(bodies_, region_, h_, mesh_))
+    if (proximity_.check(bodies_, region_, h_))
     {
         good = false;
     }

@@ -35,7 +35,7 @@ Foam::injector::injector
     shapeNumber_(-1),
     tries_(0)
 {
-    wordList valid(injectionSchedule::keywords);
+    wordList valid(schedule_.keywords());
     valid.append(injectionPlace::keywords);
     valid.append
     (

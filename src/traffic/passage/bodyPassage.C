@@ -3,7 +3,7 @@
 #include "bodyPassage.H"
 #include "checkKeywords.H"
 #include "compat.H"
-#include "proximityMonitor.H"
+#include "contactPoint.H"
 
 namespace
 {
@@ -247,7 +247,7 @@ bool Foam::bodyPassage::room
         if
         (
             apart < R + other.shape().boundingRadius() + wanted
-         && proximityMonitor::gap(body, other) < wanted
+         && contactPoint(body, other).gap < wanted
         )
         {
             return false;

@@ -3,35 +3,24 @@
 #include "proximityMonitor.H"
 #include "compat.H"
 #include "contactModel.H"
+#include "contactPoint.H"
 #include "StringStream.H"
 #include "wallPolyPatch.H"
 
 namespace
 {
 
-//- Smallest signed distance from the surface of a to points on that of b,
-//  shifted
-Foam::scalar sampledGap
-(
-    const Foam::immersedBody& a,
-    const Foam::immersedBody& b,
-    const Foam::vector& shift
-)
+//- Which patches are walls
+Foam::boolList walls(const Foam::polyBoundaryMesh& patches)
 {
-    Foam::pointField x;
-    Foam::faceList faces;
-    b.shape().surface(x, faces);
+    Foam::boolList are(patches.size());
 
-    const Foam::tensor R(b.state().orientation.R());
-    for (Foam::point& xi : x)
+    forAll(are, patchi)
     {
-        xi = b.state().position + shift + (R & xi);
+        are[patchi] = Foam::isA<Foam::wallPolyPatch>(patches[patchi]);
     }
 
-    Foam::scalarField d(x.size());
-    a.distance(x, d);
-
-    return Foam::min(d);
+    return are;
 }
 
 
@@ -52,47 +41,11 @@ Foam::proximityMonitor::proximityMonitor
     const contactModel& contact
 )
 :
-    wallCells_(mesh.nCells()),
+    walls_(mesh, walls(mesh.boundaryMesh())),
     contact_(contact.active()),
     allowed_(contact.largestOverlap()),
     periodicity_(periods)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (isA<wallPolyPatch>(patch))
-        {
-            wallCells_.set(patch.faceCells());
-        }
-    }
-}
-
-
-Foam::scalar Foam::proximityMonitor::gap
-(
-    const immersedBody& a,
-    const immersedBody& b,
-    const vector& shift
-)
-{
-    if (b.shape().round())
-    {
-        return
-            a.distance(b.state().position + shift)
-          - b.shape().boundingRadius();
-    }
-
-    if (a.shape().round())
-    {
-        return gap(b, a, -shift);
-    }
-
-    if (a.shape().hasSupport() && b.shape().hasSupport())
-    {
-        return contactPoint(a, b, shift).gap;
-    }
-
-    return min(sampledGap(a, b, shift), sampledGap(b, a, -shift));
-}
+{}
 
 
 bool Foam::proximityMonitor::note
@@ -119,65 +72,16 @@ bool Foam::proximityMonitor::note
         OStringStream os;
         os  << (overlaps_.empty() ? "" : ", ") << pair.c_str() << " by "
             << -gap << " m";
+
+        if (contact_)
+        {
+            os  << " (allowed are " << 0.5*allowed_*width
+                << " m, 'largestOverlap " << allowed_ << "' in 'contact')";
+        }
         overlaps_ += os.str();
     }
 
     return overlap;
-}
-
-
-Foam::scalar Foam::proximityMonitor::wallGap
-(
-    const immersedBody& body,
-    const bodyRegion& region,
-    const fvMesh& mesh
-) const
-{
-    const point centre(region.centre(body.state()));
-    const bool round = body.shape().round();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    scalar gap = GREAT;
-
-    forAll(region.cells, i)
-    {
-        const label celli = region.cells[i];
-
-        if (!wallCells_.test(celli))
-        {
-            continue;
-        }
-
-        for (const label facei : mesh.cells()[celli])
-        {
-            if
-            (
-                !mesh.isInternalFace(facei)
-             && isA<wallPolyPatch>(patches[patches.whichPatch(facei)])
-            )
-            {
-                const face& f = mesh.faces()[facei];
-                const pointHit nearest(f.nearestPoint(centre, mesh.points()));
-                gap = min
-                (
-                    gap,
-                    body.distance(nearest.rawPoint() - region.shift())
-                );
-
-                if (!round)
-                {
-                    pointField x(f.points(mesh.points()));
-                    x.append(mesh.faceCentres()[facei]);
-                    x -= region.shift();
-
-                    scalarField d(x.size());
-                    body.distance(x, d);
-                    gap = min(gap, min(d));
-                }
-            }
-        }
-    }
-
-    return gap;
 }
 
 
@@ -194,7 +98,7 @@ bool Foam::proximityMonitor::checkPair
     return note
     (
         a.name() + " and " + b.name(),
-        gap(a, b, pair.shift),
+        contactPoint(a, b, pair.shift).gap,
         max(margin(a, h[pair.a]), margin(b, h[pair.b])),
         min(a.shape().width(), b.shape().width())
     );
@@ -205,8 +109,7 @@ bool Foam::proximityMonitor::check
 (
     const PtrList<immersedBody>& bodies,
     const immersedRegion& region,
-    const UList<scalar>& h,
-    const fvMesh& mesh
+    const UList<scalar>& h
 )
 {
     scalarField wallGaps(bodies.size(), GREAT);
@@ -214,8 +117,13 @@ bool Foam::proximityMonitor::check
     for (const bodyRegion& r : region.regions())
     {
         scalar& gap = wallGaps[r.body()];
+        label patchi;
 
-        gap = min(gap, wallGap(bodies[r.body()], r, mesh));
+        gap = min
+        (
+            gap,
+            walls_.gap(bodies[r.body()], r.cells, patchi, r.shift())
+        );
     }
 
     compat::allReduce(wallGaps, minEqOp<scalar>());

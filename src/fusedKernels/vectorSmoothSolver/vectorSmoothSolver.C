@@ -2,6 +2,7 @@
 
 #include "vectorSmoothSolver.H"
 #include "compatMesh.H"
+#include "fusedKernels.H"
 #include "profiling.H"
 
 Foam::vectorSmoothSolver::vectorSmoothSolver
@@ -57,7 +58,8 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
 
 bool Foam::vectorSmoothSolver::serves(const dictionary& controls)
 {
-    return controls.lookupOrDefault<word>("type", "segregated") == "segregated"
+    return fusedKernels::active
+        && controls.lookupOrDefault<word>("type", "segregated") == "segregated"
         && controls.lookupOrDefault<word>("solver", "none") == "smoothSolver"
         && !controls.isDict("smoother")
         && controls.lookupOrDefault<word>("smoother", "none")

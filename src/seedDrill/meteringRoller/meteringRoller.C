@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meteringRoller.H"
+#include "addToRunTimeSelectionTable.H"
 #include "checkKeywords.H"
 #include "keyedRandom.H"
 #include "ListOps.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(meteringRoller, 0);
+    addToRunTimeSelectionTable(injectionOrder, meteringRoller, dictionary);
+}
+
 
 namespace
 {
@@ -76,7 +84,7 @@ Foam::meteringRoller::meteringRoller
 :
     frequency_
     (
-        keywords::positive(dict, "revolutionsPerSecond")
+        Foam::keywords::positive(dict, "revolutionsPerSecond")
        *count(dict, "cells", dict.get<label>("cells"))
     ),
     nGrains_
@@ -91,7 +99,9 @@ Foam::meteringRoller::meteringRoller
     jitter_(part(dict, "jitter")),
     misses_(part(dict, "misses")),
     doubles_(part(dict, "doubles")),
-    seed_(random() ? injector.get<label>("seed") : 0)
+    seed_(random() ? injector.get<label>("seed") : 0),
+    cell_(0),
+    inCell_(0)
 {
     if (misses_ == 1 || misses_ + doubles_ > 1)
     {
@@ -100,6 +110,8 @@ Foam::meteringRoller::meteringRoller
             << "' are parts of all cells: their sum must not be more than 1,"
             << " and not all can be empty" << nl << exit(FatalIOError);
     }
+
+    skipEmptyCells();
 }
 
 
@@ -140,4 +152,46 @@ Foam::scalarList Foam::meteringRoller::times(const label cell) const
     }
 
     return times;
+}
+
+
+void Foam::meteringRoller::skipEmptyCells()
+{
+    while (inCell_ >= nGrains(cell_))
+    {
+        ++cell_;
+        inCell_ = 0;
+    }
+}
+
+
+Foam::scalar Foam::meteringRoller::time
+(
+    const label number,
+    const scalar start,
+    const scalar last
+) const
+{
+    return start + times(cell_)[inCell_];
+}
+
+
+void Foam::meteringRoller::advance()
+{
+    ++inCell_;
+    skipEmptyCells();
+}
+
+
+void Foam::meteringRoller::readState(const dictionary& dict)
+{
+    cell_ = dict.get<label>("cell");
+    inCell_ = dict.get<label>("inCell");
+}
+
+
+void Foam::meteringRoller::writeState(Ostream& os) const
+{
+    os.writeEntry("cell", cell_);
+    os.writeEntry("inCell", inCell_);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "linearTransport.H"
+#include "fusedKernels.H"
 #include "snGradScheme.H"
 
 namespace
@@ -34,6 +35,11 @@ Foam::linearTransport::linearTransport
     const word& laplacianScheme
 )
 {
+    if (!fusedKernels::active)
+    {
+        return;
+    }
+
     const fvMesh& mesh = U.mesh();
     const wordList linear({"Gauss", "linear"});
 

@@ -21,12 +21,13 @@ Foam::patchGaps::patchGaps(const fvMesh& mesh, const boolList& patches)
 Foam::scalar Foam::patchGaps::gap
 (
     const immersedBody& body,
-    const label facei
+    const label facei,
+    const vector& shift
 ) const
 {
     const pointField& points = mesh_.points();
     const face& f = mesh_.faces()[facei];
-    const point& centre = body.state().position;
+    const point centre(body.state().position + shift);
     pointField x(1, f.nearestPoint(centre, points).rawPoint());
 
     if (!body.resolved())
@@ -43,6 +44,8 @@ Foam::scalar Foam::patchGaps::gap
         x.append(mesh_.faceCentres()[facei]);
     }
 
+    x -= shift;
+
     scalarField d(x.size());
     body.distance(x, d);
 
@@ -54,7 +57,8 @@ Foam::scalar Foam::patchGaps::gap
 (
     const immersedBody& body,
     const UList<label>& beside,
-    label& patchi
+    label& patchi,
+    const vector& shift
 ) const
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
@@ -78,7 +82,7 @@ Foam::scalar Foam::patchGaps::gap
                 continue;
             }
 
-            const scalar d = gap(body, facei);
+            const scalar d = gap(body, facei, shift);
 
             if (d < smallest)
             {

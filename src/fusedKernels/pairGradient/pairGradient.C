@@ -2,6 +2,7 @@
 
 #include "pairGradient.H"
 #include "faceSums.H"
+#include "fusedKernels.H"
 #include "gaussGrad.H"
 #include "surfaceFields.H"
 
@@ -126,7 +127,8 @@ bool Foam::pairGradient::serves(const fvMesh& mesh, const word& name)
 {
     ITstream& scheme = mesh.gradScheme(name);
 
-    return scheme.size() == 2
+    return fusedKernels::active
+     && scheme.size() == 2
      && scheme[0] == word("Gauss")
      && scheme[1] == word("linear");
 }

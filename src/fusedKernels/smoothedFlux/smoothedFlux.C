@@ -2,6 +2,8 @@
 
 #include "smoothedFlux.H"
 #include "coupledValues.H"
+#include "fusedKernels.H"
+#include "linear.H"
 #include "snGradScheme.H"
 
 Foam::smoothedFlux::smoothedFlux
@@ -102,8 +104,49 @@ Foam::scalar Foam::smoothedFlux::boundary
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::smoothedFlux::plain() const
+{
+    const surfaceScalarField tau(linearInterpolate(tau_));
+    surfaceScalarField snGrad
+    (
+        fv::snGradScheme<scalar>::snGrad
+        (
+            p_, tmp<surfaceScalarField>(deltaCoeffs_)
+        )
+    );
+
+    if (correction_)
+    {
+        snGrad += *correction_ & linearInterpolate(gradP_);
+    }
+
+    tmp<surfaceScalarField> tphi
+    (
+        (linearInterpolate(U_ + tau_*gradP_) & Sf_) - tau*snGrad*magSf_
+    );
+    surfaceScalarField::Boundary& patches = tphi.ref().boundaryFieldRef();
+
+    forAll(patches, patchi)
+    {
+        if (!patches[patchi].coupled())
+        {
+            patches[patchi] ==
+                (U_.boundaryField()[patchi] & Sf_.boundaryField()[patchi]);
+        }
+    }
+
+    return tphi;
+}
+
+
 void Foam::smoothedFlux::set(surfaceScalarField& phi) const
 {
+    if (!fusedKernels::active)
+    {
+        phi = plain();
+        return;
+    }
+
     // The reference stores the old flux
     scalarField& inside = phi.primitiveFieldRef();
 
@@ -140,17 +183,26 @@ void Foam::smoothedFlux::set
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     scalarField& inside = phi.primitiveFieldRef();
+    tmp<surfaceScalarField> all;
+
+    if (!fusedKernels::active)
+    {
+        all = plain();
+    }
 
     for (const label facei : faces)
     {
         if (mesh_.isInternalFace(facei))
         {
-            inside[facei] = internal
-            (
-                facei,
-                smoothed(owner_[facei]),
-                smoothed(neighbour_[facei])
-            );
+            inside[facei] =
+                all.valid()
+              ? all()[facei]
+              : internal
+                (
+                    facei,
+                    smoothed(owner_[facei]),
+                    smoothed(neighbour_[facei])
+                );
             continue;
         }
 
@@ -160,7 +212,10 @@ void Foam::smoothedFlux::set
         // Empty patches have none
         if (i < phi.boundaryField()[patchi].size())
         {
-            phi.boundaryFieldRef()[patchi][i] = boundary(patchi, i);
+            phi.boundaryFieldRef()[patchi][i] =
+                all.valid()
+              ? all().boundaryField()[patchi][i]
+              : boundary(patchi, i);
         }
     }
 }
