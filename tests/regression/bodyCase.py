@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import boxMesh
-from foamCase import FoamCase
+from foamCase import FoamCase, tables
 
 CASES = Path(__file__).parent / "cases"
 
@@ -137,23 +137,13 @@ class BodyCase(FoamCase):
 
     def table_files(self, name):
         """The .dat files of a function object by the times of their start."""
-        files = self.path.glob(f"postProcessing/{name}/*/{TABLES[name]}.dat")
-        return sorted(files, key=lambda file: float(file.parent.name))
+        return tables.table_files(self.path, name, TABLES[name])
 
     def table(self, name, body=0):
         """Columns of a table by their names without units, for one body."""
-        columns = {}
-        for file in self.table_files(name):
-            (header,) = (
-                line for line in file.read_text().splitlines()
-                if line.startswith("#") and "time[s]" in line
-            )
-            names = [re.sub(r"\[.*", "", n) for n in header.split()[1:]]
-            rows = self.read_dat(file.relative_to(self.path))
-            rows = rows[rows[:, 1] == body]
-            for column, values in zip(names, rows.T, strict=True):
-                columns.setdefault(column, []).append(values)
-        return {name: np.concatenate(c) for name, c in columns.items()}
+        columns = tables.run_columns(self.path, name, TABLES[name])
+        rows = columns["body"] == body
+        return {c: values[rows] for c, values in columns.items() if c != "name"}
 
     def field(self, name, time=None):
         """Cell values of a field that was written in ascii."""

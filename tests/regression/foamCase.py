@@ -14,9 +14,14 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"python"))
+
+from grainfoam import tables
 
 
 class FoamError(Exception):

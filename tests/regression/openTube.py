@@ -14,6 +14,7 @@ import numpy as np
 
 from bodyCase import BodyCase
 from boxMesh import uniform
+from foamCase import tables
 
 LENGTH, RADIUS, H, DT = 4, 0.25, 0.1, 0.02
 DISC = f"shape {{ type disc; radius {RADIUS}; }} densityRatio 2;"
@@ -74,21 +75,12 @@ class Event:
 
 def passage(case):
     """All rows, of all parts of a run."""
-    events = []
-    folder = case.path / "postProcessing/immersedBodies"
-    for file in sorted(
-        folder.glob("*/passage.dat"), key=lambda f: float(f.parent.name)
-    ):
-        for line in file.read_text().splitlines():
-            if line.startswith("#"):
-                continue
-            words = line.split()
-            numbers = np.array(words[:11], dtype=float)
-            events.append(Event(
-                numbers[0], int(numbers[1]), numbers[2:5], numbers[5:8],
-                numbers[8:11], *words[11:],
-            ))
-    return events
+    columns = tables.run_columns(case.path, "immersedBodies", "passage")
+    return [
+        Event(x[0], x[1], np.array(x[2:5]), np.array(x[5:8]),
+              np.array(x[8:11]), *x[11:])
+        for x in zip(*columns.values())
+    ]
 
 
 def flow_rate(case):

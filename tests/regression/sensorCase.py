@@ -7,10 +7,11 @@
     table(case, "1", "summary")["misses"]
 """
 
-import re
 from dataclasses import dataclass
 
 import numpy as np
+
+from foamCase import tables
 
 SENSOR = """functions
 {{
@@ -54,31 +55,15 @@ class Passage:
 
 def passages(case, plane=None):
     """Rows of all parts of a run, or those of one plane."""
-    rows = []
-    folder = case.path / "postProcessing/sensor"
-    for file in sorted(
-        folder.glob("*/passages.dat"), key=lambda f: float(f.parent.name)
-    ):
-        for line in file.read_text().splitlines():
-            if line.startswith("#"):
-                continue
-            w = line.split()
-            x = np.array(w[:13], dtype=float)
-            rows.append(Passage(
-                x[0], int(x[2]), x[3:6], x[6], x[7], x[8], int(x[9]), x[10],
-                x[11], int(x[12]), *w[13:],
-            ))
+    columns = tables.run_columns(case.path, "sensor", "passages")
+    rows = [
+        Passage(x[0], x[2], np.array(x[3:6]), *x[6:])
+        for x in zip(*columns.values())
+    ]
     return [row for row in rows if plane in (None, row.plane)]
 
 
 def table(case, time, name):
     """Columns of the statistics of a time by their names without units."""
     file = case.path / f"postProcessing/sensor/{time}/{name}.dat"
-    lines = file.read_text().splitlines()
-    (header,) = (line for line in lines if line.startswith("# plane"))
-    rows = [line.split() for line in lines if not line.startswith("#")]
-    columns = {}
-    for column, values in zip(header.split()[1:], zip(*rows, strict=True)):
-        kind = str if column == "name" else float
-        columns[re.sub(r"\[.*", "", column)] = np.array(values, dtype=kind)
-    return columns
+    return tables.read_columns(file)

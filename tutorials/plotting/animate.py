@@ -104,7 +104,8 @@ def readGrains(case):
     for folder in sorted(case.glob("postProcessing/*")):
         if any(folder.glob("*/immersedBodyMotion.dat")):
             grains = gp.readMotion(case, folder.name)
-            return grains, {n: int(g["body"][0]) for n, g in grains.items()}
+            if grains:
+                return grains, {n: g["body"][0] for n, g in grains.items()}
     raise SystemExit(f"{case} has no table of the function object"
                      " immersedBodyMotion: has it been run?")
 

@@ -9,7 +9,7 @@ tutorials show the use; for a case in folder `case`:
 """
 
 import pathlib
-import re
+import sys
 
 import matplotlib
 
@@ -19,6 +19,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle
 from matplotlib.tri import LinearTriInterpolator, Triangulation
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]/"python"))
+
+from grainfoam import tables
 
 plt.rcParams.update({
     "axes.grid": True,
@@ -33,74 +37,24 @@ plt.rcParams.update({
 })
 
 
-def readBodies(file):
-    """Columns of a .dat file of one line per time and body, as
-    {body name: {"time": ..., "position_x": ..., ...}}."""
-    names, columns = {}, []
-
-    with open(file) as lines:
-        for line in lines:
-            if not line.startswith("#"):
-                continue
-            if "time[" in line:
-                columns = [re.sub(r"\[.*", "", c)
-                           for c in line.strip("# \n").split("\t")]
-                columns = [c.strip() for c in columns]
-            elif re.match(r"#\s*\d+\s*:", line):
-                number, name = line.strip("# \n").split(":")
-                names[int(number)] = name.strip()
-
-    if not names:
-        return {}
-
-    table = np.loadtxt(file, ndmin=2)
-    bodyOf = table[:, columns.index("body")].astype(int)
-
-    return {
-        name: {c: table[bodyOf == body, i] for i, c in enumerate(columns)}
-        for body, name in names.items()
-    }
-
-
-def readSeries(case, functionObject, file):
-    """readBodies on all parts of a run: a restart begins a folder with its
-    start time, and replaces what an earlier part has from there on."""
-    folder = pathlib.Path(case)/"postProcessing"/functionObject
-    starts = sorted((d for d in folder.iterdir() if (d/file).exists()),
-                    key=lambda d: float(d.name))
-    joined = {}
-
-    for start in starts:
-        for name, part in readBodies(start/file).items():
-            if name in joined:
-                keep = joined[name]["time"] < part["time"][0]
-                part = {c: np.append(joined[name][c][keep], part[c])
-                        for c in part}
-            joined[name] = part
-
-    return joined
+def bodies(columns):
+    """Columns of each body: {name: {"time": ..., "position_x": ..., ...}}."""
+    order = np.argsort(columns["body"], kind="stable")
+    starts = np.flatnonzero(np.diff(columns["body"][order], prepend=-1))
+    parts = [np.split(v[order], starts)[1:] for v in columns.values()]
+    motions = (dict(zip(columns, part)) for part in zip(*parts))
+    return {motion["name"][0]: motion for motion in motions}
 
 
 def readMotion(case, functionObject="motion"):
-    return readSeries(case, functionObject, "immersedBodyMotion.dat")
+    return bodies(
+        tables.run_columns(case, functionObject, "immersedBodyMotion"))
 
 
 def readPassage(case):
     """Bodies that enter and leave, one {"time": ..., "what": ...} each."""
-    folder = pathlib.Path(case)/"postProcessing/immersedBodies"
-    events = []
-
-    for file in sorted(folder.glob("*/passage.dat"),
-                       key=lambda f: float(f.parent.name)):
-        for line in file.read_text().splitlines():
-            words = line.strip("# ").split()
-            if "time[" in line:
-                columns = [re.sub(r"\[.*", "", c) for c in words]
-            elif not line.startswith("#"):
-                values = [*map(float, words[:-3]), *words[-3:]]
-                events.append(dict(zip(columns, values)))
-
-    return events
+    columns = tables.run_columns(case, "immersedBodies", "passage")
+    return [dict(zip(columns, row)) for row in zip(*columns.values())]
 
 
 def planeTimes(case, functionObject="plane"):

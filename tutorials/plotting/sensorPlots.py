@@ -8,36 +8,13 @@ is its name in system/controlDict, by default sensor. Needs numpy and
 matplotlib.
 """
 
-import math
 import pathlib
-import re
 import sys
 
 import numpy as np
 
 import grainPlots as gp
-from grainPlots import plt
-
-
-def readTable(file):
-    """Columns of a table by their names without units."""
-    columns = []
-    rows = []
-
-    for line in pathlib.Path(file).read_text().splitlines():
-        if line.startswith("# time[") or re.match(r"# plane\s", line):
-            columns = [re.sub(r"\[.*", "", c) for c in line.split()[1:]]
-        elif not line.startswith("#"):
-            rows.append(line.split())
-
-    def column(values):
-        try:
-            return np.array(values, dtype=float)
-        except ValueError:
-            return np.array(values)
-
-    values = zip(*rows) if rows else [[] for _ in columns]
-    return {name: column(v) for name, v in zip(columns, values)}
+from grainPlots import plt, tables
 
 
 def folderOf(case, functionObject):
@@ -45,27 +22,15 @@ def folderOf(case, functionObject):
 
 
 def readPassages(case, functionObject="sensor"):
-    """All passages of a run of several parts: {column: values}. A restart
-    replaces what an earlier part has after its start."""
-    parts = sorted(folderOf(case, functionObject).glob("*/passages.dat"),
-                   key=lambda f: float(f.parent.name))
-    joined = {}
-
-    for file, following in zip(parts, [*parts[1:], None]):
-        part = readTable(file)
-        end = float(following.parent.name) if following else math.inf
-        keep = part["time"] <= end
-        for name, values in part.items():
-            joined.setdefault(name, []).append(values[keep])
-
-    return {name: np.concatenate(v) for name, v in joined.items()}
+    """All passages of a run: {column: values}."""
+    return tables.run_columns(case, functionObject, "passages")
 
 
 def readStatistics(case, table, functionObject="sensor", time=None):
     """summary, radii, intervals or outlets, of the last time or another one."""
     files = folderOf(case, functionObject).glob(f"*/{table}.dat")
     byTime = {float(f.parent.name): f for f in files}
-    return readTable(byTime[max(byTime) if time is None else float(time)])
+    return tables.read_columns(byTime[max(byTime) if time is None else float(time)])
 
 
 def planeNames(case, functionObject="sensor"):
