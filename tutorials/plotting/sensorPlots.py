@@ -66,17 +66,38 @@ def speedAgainstRadius(case, file, functionObject="sensor", unit=1, label="m"):
         grains, parts = onePlane(passages, plane), onePlane(radii, plane)
         ax.plot(grains["radius"]/unit, grains["axial"], ".", color="0.6",
                 markersize=4, label="grains")
-        filled = parts["grains"] > 0
-        middle = (parts["inner"] + parts["outer"])[filled]/2/unit
-        deviation = np.nan_to_num(parts["deviation"][filled])
-        ax.errorbar(middle, parts["meanSpeed"][filled], deviation, fmt="o-",
-                    capsize=3, label="mean, standard deviation")
+        # One grain is no mean: the line is broken there
+        several = parts["grains"] > 1
+        middle = (parts["inner"] + parts["outer"])/2/unit
+        mean, deviation = (np.where(several, parts[c], np.nan)
+                           for c in ("meanSpeed", "deviation"))
+        ax.errorbar(middle, mean, deviation, fmt="o-", capsize=3,
+                    label="mean of two and more, standard deviation")
         ax.set(xlabel=f"radius [{label}]", title=name)
         ax.set_xlim(left=0)
     axes[0].set_ylabel("axial velocity [m/s]")
     axes[0].set_ylim(bottom=min(0, axes[0].get_ylim()[0]))
-    axes[0].legend()
+    legendAbove(figure, axes[0])
     gp.save(figure, file)
+
+
+def legendAbove(figure, ax):
+    """Where it covers nothing: above all pictures."""
+    handles, labels = ax.get_legend_handles_labels()
+    columns = min(len(labels), 3)
+    rows = -(-len(labels)//columns)
+    height = figure.get_figheight()
+    figure.set_figheight(height + 0.22*rows + 0.1)
+    share = height/figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, share))
+    figure.legend(handles, labels, loc="upper center", ncol=columns)
+
+
+def countingError(parts):
+    """Standard deviation of a Poisson distribution, of densityOverMean; none
+    where there is no grain."""
+    n = parts["grains"]
+    return parts["densityOverMean"]/np.sqrt(np.where(n > 0, n, np.nan))
 
 
 def radialDensity(case, file, functionObject="sensor", unit=1, label="m"):
@@ -87,14 +108,22 @@ def radialDensity(case, file, functionObject="sensor", unit=1, label="m"):
 
     for plane, name in enumerate(names):
         parts = onePlane(radii, plane)
-        if parts["outer"].size:
-            edges = np.append(parts["inner"], parts["outer"][-1])/unit
-            ax.stairs(parts["densityOverMean"], edges, baseline=None,
-                      linewidth=1.6, label=f"{name}: {parts['grains'].sum():.0f} grains")
+        if not parts["outer"].size:
+            continue
+        edges = np.append(parts["inner"], parts["outer"][-1])/unit
+        grains = parts["grains"].sum()
+        ax.stairs(parts["densityOverMean"], edges, baseline=None, linewidth=1.6,
+                  color=f"C{plane}", label=f"{name}: {grains:.0f} grains")
+        # Beside each other in each part of the radius
+        x = edges[:-1] + np.diff(edges)*(plane + 1)/(len(names) + 1)
+        ax.errorbar(x, parts["densityOverMean"], countingError(parts),
+                    fmt="none", ecolor=f"C{plane}", capsize=2, elinewidth=1)
     ax.axhline(1, color="0.5", linewidth=0.8)
     ax.set(xlabel=f"radius [{label}]", ylabel="grains per area, over the mean",
+           title="bars: counting error, the square root of the number",
            xlim=(0, None), ylim=(0, None))
-    ax.legend()
+    ax.title.set_size(9)
+    legendAbove(figure, ax)
     gp.save(figure, file)
 
 

@@ -39,10 +39,13 @@ def pressure(z, p):
 def profile():
     """Axial velocity against radius at the sensor planes."""
     figure, ax = plt.subplots(figsize=(7, 4))
-    for i, z in enumerate(bench["measuringTube"]["sensorPlanes"], 1):
+    planes = bench["measuringTube"]["sensorPlanes"]
+    for i, z in enumerate(planes, 1):
         plane = bp.Plane(here, f"sensor{i}")
         r = np.hypot(plane.centres[:, 0], plane.centres[:, 1])
-        ax.plot(2*r/D, plane.fields["U"][:, 2], "ox"[i % 2], markersize=4,
+        # Where planes agree each is seen in a ring of the one before
+        ax.plot(2*r/D, plane.fields["U"][:, 2], "o", fillstyle="none",
+                markersize=3*(len(planes) - i) + 2, markeredgewidth=0.8,
                 label=f"sensor plane {i}, z = {z:g} m")
     r = np.linspace(0, 1, 200)
     n = 6.6

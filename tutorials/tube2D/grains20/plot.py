@@ -53,16 +53,15 @@ def trajectories(motions):
 
 
 def velocity(motions):
-    figure, axes = plt.subplots(1, 2, figsize=(8, 3.8))
+    figure, axes = plt.subplots(1, 2, figsize=(8, 3.8), sharey=True)
 
     for ax, (ratio, grains) in zip(axes, motions.items()):
         for grain in grains.values():
             ax.plot(grain["time"], grain["velocity_x"], color=colourOf(grain),
                     linewidth=1)
-        ax.set(xlabel="time [s]", ylabel="axial velocity [m/s]",
-               title=f"density ratio {ratio}")
-        ax.set_ylim(bottom=0)
+        ax.set(xlabel="time [s]", title=f"density ratio {ratio}")
 
+    axes[0].set(ylabel="axial velocity [m/s]", ylim=(0, None))
     figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(-1, 1), "viridis"),
                     ax=axes, label="y at the start [m]")
     gp.save(figure, here/"plots/velocity.png")

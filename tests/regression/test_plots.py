@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of the tutorials, from tables that are written here."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT/"tutorials/plotting"))
+
+import grainPlots
+import sensorPlots
+
+PASSAGES = (
+    "# time[s]\tplane\tbody\taxial[m/s]\tradius[m]\n"
+    "1\t0\t0\t2\t0.1\n2\t0\t1\t1\t0.6\n"
+)
+SUMMARY = "# Passages\n# plane\tgrains\tname\n0\t6\tlow\n"
+
+# Grains, mean speed, deviation and density over the mean of five parts
+PARTS = ((2, 2, 0.1, 0.9), (1, 1.9, "nan", 0.2), (3, 1.7, 0.2, 0.7),
+         (0, "nan", "nan", 0), (9, 1, 0.1, 3))
+RADII = (
+    "# Grains\n# plane\tinner[m]\touter[m]\tgrains\tmeanSpeed[m/s]"
+    "\tdeviation[m/s]\tdensityOverMean\n"
+    + "".join(f"0\t{i/5}\t{(i + 1)/5}\t" + "\t".join(map(str, part)) + "\n"
+              for i, part in enumerate(PARTS))
+)
+NONE = "# Times\n# plane\tfrom\tto\tnumber\n"
+
+
+@pytest.fixture
+def case(tmp_path):
+    for path, text in (
+        ("0/passages", PASSAGES), ("2/summary", SUMMARY), ("2/radii", RADII),
+        ("2/intervals", NONE),
+    ):
+        file = tmp_path/f"postProcessing/sensor/{path}.dat"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return tmp_path
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """The figures in place of their files."""
+    figures = []
+    monkeypatch.setattr(
+        grainPlots, "save", lambda figure, file: figures.append(figure))
+    return figures
+
+
+def bars(ax):
+    """Middle and half length of the error bars of a picture."""
+    (container,) = ax.containers
+    (lines,) = container.lines[2]
+    ends = np.array([bar[:, 1] for bar in lines.get_segments() if len(bar)])
+    return ends.mean(axis=1), np.ptp(ends, axis=1)/2
+
+
+def legend_is_clear(figure):
+    """No picture is under the legend."""
+    figure.draw_without_rendering()
+    (legend,) = figure.legends
+    box = legend.get_window_extent()
+    return not any(box.overlaps(ax.get_window_extent()) for ax in figure.axes)
+
+
+def test_a_part_with_one_grain_has_no_mean(case, drawn):
+    sensorPlots.speedAgainstRadius(case, case/"speed.png")
+    grains, mean = drawn[0].axes[0].lines[:2]
+    assert len(grains.get_xdata()) == 2
+    assert list(np.isnan(mean.get_ydata())) == [
+        False, True, False, True, False]
+    assert legend_is_clear(drawn[0])
+
+
+def test_density_has_its_counting_error(case, drawn):
+    sensorPlots.radialDensity(case, case/"density.png")
+    middle, half = bars(drawn[0].axes[0])
+    assert middle == pytest.approx([0.9, 0.2, 0.7, 3])
+    assert half == pytest.approx([0.9/2**0.5, 0.2, 0.7/3**0.5, 1])
+    assert legend_is_clear(drawn[0])
+
+
+def test_tables_of_a_run_after_a_check_are_found(case):
+    """`foamRun -check` has left the first table empty."""
+    folder = case/"postProcessing/sensor/0"
+    (folder/"passages.dat").rename(folder/"passages_0.dat")
+    (folder/"passages.dat").write_text("# Planes\n")
+    sensorPlots.drawAll(case)
+    assert (case/"plots/sensorSpeed.png").exists()
