@@ -6,13 +6,16 @@
     t, p = bp.series(here, "pressure0")
 """
 
+import os
 import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]/"plotting"))
+here = pathlib.Path(__file__).resolve().parent
+root = os.environ.get("GRAINFOAM_DIR", here/"../../..")
+sys.path.insert(0, f"{root}/tutorials/plotting")
 
-import grainPlots as gp
+import grainPlots as gp  # source etc/bashrc of grainFoam
 import numpy as np
 from benchParameters import readBench
 from grainPlots import plt

@@ -2,15 +2,17 @@
 """Draws what the sensors see: plots/sensor{Speed,Density,Spacing,Misses}.png,
 and prints it beside the facts of the bench."""
 
+import os
 import pathlib
 import sys
 
 here = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(here.parents[1]/"plotting"))
+root = os.environ.get("GRAINFOAM_DIR", here/"../../..")
+sys.path.insert(0, f"{root}/tutorials/plotting")
 sys.path.insert(0, str(here.parent/"common"))
 
-import sensorPlots
+import sensorPlots  # source etc/bashrc of grainFoam
 from friction import benchValues
 
 values = benchValues(here)

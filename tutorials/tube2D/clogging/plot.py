@@ -2,6 +2,7 @@
 """Draws the table of flow rates, and the flows with the highest and the lowest:
 plots/{flowRate,free,held}.png"""
 
+import os
 import pathlib
 import sys
 
@@ -9,9 +10,10 @@ import numpy as np
 
 here = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(here.parents[1]/"plotting"), str(here)]
+root = os.environ.get("GRAINFOAM_DIR", here/"../../..")
+sys.path[:0] = [f"{root}/tutorials/plotting", str(here)]
 
-import grainPlots as gp
+import grainPlots as gp  # source etc/bashrc of grainFoam
 import flowRates
 from grainPlots import plt
 

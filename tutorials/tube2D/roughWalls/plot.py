@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the runs with a = 0.1 to 100: plots/{profile,speed}.png"""
 
+import os
 import pathlib
 import sys
 
@@ -8,9 +9,10 @@ import numpy as np
 
 here = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(here.parents[1]/"plotting"))
+root = os.environ.get("GRAINFOAM_DIR", here/"../../..")
+sys.path.insert(0, f"{root}/tutorials/plotting")
 
-import grainPlots as gp
+import grainPlots as gp  # source etc/bashrc of grainFoam
 from grainPlots import plt
 
 Y = -0.3
