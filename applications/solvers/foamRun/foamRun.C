@@ -18,6 +18,7 @@ Usage
 #include "fieldMemory.H"
 #include "flowSolver.H"
 #include "functionObjectList.H"
+#include "grainFoamVersion.H"
 
 #define CREATE_MESH createDynamicFvMesh.H
 #define CREATE_FIELDS createFlowSolver.H
@@ -43,6 +44,9 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+
+    Info<< "grainFoam " << GRAINFOAM_VERSION << nl << endl;
+
     #include "createTime.H"
     #include "createDynamicFvMesh.H"
     #include "createFlowSolver.H"
