@@ -98,4 +98,4 @@ def main(arguments):
 
 # ParaView's --script has another name than __main__ in some versions
 if __name__ in ("__main__", "__vtkconsole__"):
-    main(sys.argv[1:])
+    main([word for word in sys.argv[1:] if not word.startswith("-")])
