@@ -2,6 +2,7 @@
 """#includeFunc finds our function objects, with an OpenFOAM as it is."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -25,8 +26,8 @@ GRAIN = """
 
 
 def test_all_function_objects_have_one():
-    classes = {file.stem for file in ROOT.glob("src/functionObjects/*/*.C")
-               if "addToRunTimeSelectionTable" in file.read_text()}
+    classes = {file.stem for file in ROOT.glob("src/*/*/*.C")
+               if re.search(r"Table\s*\(\s*functionObject,", file.read_text())}
     assert {file.name for file in ENTRIES.iterdir()} == classes
 
 
