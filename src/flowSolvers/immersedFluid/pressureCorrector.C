@@ -124,9 +124,11 @@ void Foam::flowSolvers::immersedFluid::project
     const scalarField& divPhi
 )
 {
+    const label n = projection_.nCorrections(pimple_.nNonOrthCorr());
+
     projection_.begin(iteration_.first());
 
-    while (pimple_.correctNonOrthogonal())
+    for (label i = 0; i <= n; ++i)
     {
         projection_.solve
         (
@@ -135,12 +137,8 @@ void Foam::flowSolvers::immersedFluid::project
             tau,
             pRefValue - getRefCellValue(p_, pRefCell)
         );
-
-        if (pimple_.finalNonOrthogonalIter())
-        {
-            projection_.correctFlux(tau, phi_);
-        }
     }
+    projection_.correctFlux(tau, phi_);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "projection.H"
 #include "fvmLaplacian.H"
+#include "projectionOvershoot.H"
 #include "residualTarget.H"
 
 Foam::wordList Foam::projection::patchTypes(const volScalarField& p)
@@ -33,9 +34,48 @@ Foam::projection::projection(const volScalarField& p, const label refCell)
     first_(true),
     firstOuter_(true),
     firstNorm_(0),
-    corrected_(false)
+    corrected_(false),
+    nReported_(-1)
 {
     p.mesh().setFluxRequired(dp_.name());
+    assemble();
+    overshoot_ = projectionOvershoot::largest(equation_());
+    checkScheme();
+}
+
+
+void Foam::projection::checkScheme()
+{
+    if
+    (
+        !equation_->faceFluxCorrectionPtr()
+     && !projectionOvershoot::stable(overshoot_)
+    )
+    {
+        FatalIOErrorInFunction
+        (
+            dp_.mesh().schemesDict().subDict("laplacianSchemes")
+        )   << "'laplacian((1|A(U)),p)' has no correction for non-orthogonal"
+            << " meshes, and the pressure of bodies needs one on this mesh:"
+            << " set 'Gauss linear corrected' or 'Gauss linear limited 0.5'"
+            << nl << exit(FatalIOError);
+    }
+}
+
+
+Foam::label Foam::projection::nCorrections(const label n)
+{
+    const label needed = projectionOvershoot::nCorrections(overshoot_, n);
+
+    if (needed != n && nReported_ != n)
+    {
+        Info<< "On this mesh, which is not orthogonal, the pressure needs "
+            << needed << " corrections instead of 'nNonOrthogonalCorrectors "
+            << n << "'" << endl;
+        nReported_ = n;
+    }
+
+    return needed;
 }
 
 
