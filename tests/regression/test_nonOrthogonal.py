@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """On a mesh that is not orthogonal pressure and velocity do not drive one
-another up: without the corrections that this takes they do, by a factor of ten
-every two steps, whatever the time step."""
+another up: without the corrections that this takes they do, at any time
+step."""
 
 import re
 

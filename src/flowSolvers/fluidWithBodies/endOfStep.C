@@ -47,11 +47,18 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
 
 void Foam::flowSolvers::fluidWithBodies::stop(const string& why)
 {
-    runTime_.writeNow();
+    // What a run begins from is there
+    const bool stepped = runTime_.timeIndex() > runTime_.startTimeIndex();
+
+    if (stepped)
+    {
+        runTime_.writeNow();
+    }
 
     FatalErrorInFunction
         << "Stopped at time " << runTime_.timeName() << ": " << why.c_str()
-        << ". The state has been written." << nl << exit(FatalError);
+        << (stepped ? ". The state has been written." : "") << nl
+        << exit(FatalError);
 }
 
 

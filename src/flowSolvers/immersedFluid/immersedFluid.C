@@ -164,7 +164,7 @@ void Foam::flowSolvers::immersedFluid::addBodyWalls()
 
 void Foam::flowSolvers::immersedFluid::momentumTransportCorrector()
 {
-    if (!momentum_.uniformViscosity())
+    if (!momentum_.uniformViscosity() && !momentum_.diverged())
     {
         correctViscosity();
         if (bodyWalls_)

@@ -34,6 +34,12 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 {
     addProfiling(pressure, "pressureCorrector");
 
+    if (momentum_.diverged())
+    {
+        iteration_.lose();
+        return;
+    }
+
     const ddtCoefficients ddt(meshProperties::ddt(mesh_, U_.name()));
     const dimensionedScalar tau("tau", dimTime, 1/ddt.c);
 

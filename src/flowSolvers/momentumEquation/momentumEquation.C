@@ -9,6 +9,9 @@ namespace
     //  wiggles, and what it leaks through the bodies is below the error of the
     //  layer
     const Foam::scalar smoothingPart = 0.1;
+
+    //- Residual of a solution that there is none of; solvers begin below one
+    const Foam::scalar lost = 100;
 }
 
 
@@ -31,7 +34,8 @@ Foam::momentumEquation::momentumEquation
     bodies_(bodies),
     uniformViscosity_(uniformViscosity),
     stokes_(word(U.mesh().divScheme("div(phi,U)")) == "none"),
-    inBands_(false)
+    inBands_(false),
+    diverged_(false)
 {
     if (bodies.moving() && !stokes_)
     {
@@ -125,13 +129,19 @@ void Foam::momentumEquation::solveLinear(const bool first)
           : eqn.solve(controls);
     };
 
+    const SolverPerformance<vector> performance
+    (
+        solve(first ? solver : target_.controls(solver))
+    );
+
+    diverged_ = !(cmptMax(performance.finalResidual()) < lost);
+
     if (!first)
     {
-        solve(target_.controls(solver));
         return;
     }
 
-    const vector residual(solve(solver).initialResidual());
+    const vector residual(performance.initialResidual());
 
     // Components that are not solved for, or are zero, say nothing
     scalar least = GREAT;

@@ -5,6 +5,13 @@
 #include "fusedKernels.H"
 #include "profiling.H"
 
+namespace
+{
+    //- Residual, one at first, of sweeps that lead away from the solution
+    const Foam::scalar diverged = 1e6;
+}
+
+
 Foam::vectorSmoothSolver::vectorSmoothSolver
 (
     const fvVectorMatrix& matrix,
@@ -225,6 +232,12 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
         }
 
         if (n >= minIter && (n >= maxIter || converged(tolerance, relTol)))
+        {
+            break;
+        }
+
+        // Further on numbers would overflow
+        if (!(cmptMax(performance_.finalResidual()) < diverged))
         {
             break;
         }
