@@ -24,6 +24,14 @@ Foam::boolList walls(const Foam::polyBoundaryMesh& patches)
 }
 
 
+//- Is a body there for good: it may touch walls and others of its kind, and
+//  overlap them
+bool isObstacle(const Foam::immersedBody& body)
+{
+    return body.isFixed() && !body.asleep();
+}
+
+
 //- Gap that is worth a warning, with cells of the size h: none if the flow
 //  between the bodies is not to be resolved
 Foam::scalar margin(const Foam::immersedBody& body, const Foam::scalar h)
@@ -136,6 +144,11 @@ bool Foam::proximityMonitor::check
 
     forAll(bodies, i)
     {
+        if (isObstacle(bodies[i]))
+        {
+            wallGaps[i] = GREAT;
+        }
+
         centres[i] = bodies[i].state().position;
         radii[i] =
             bodies[i].shape().boundingRadius() + margin(bodies[i], h[i]);
@@ -154,7 +167,10 @@ bool Foam::proximityMonitor::check
 
     for (const closePairs::pair& pair : close.pairs())
     {
-        overlap = checkPair(bodies, h, pair) || overlap;
+        if (!isObstacle(bodies[pair.a]) || !isObstacle(bodies[pair.b]))
+        {
+            overlap = checkPair(bodies, h, pair) || overlap;
+        }
     }
 
     return overlap;
