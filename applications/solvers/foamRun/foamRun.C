@@ -15,10 +15,12 @@ Usage
         Run function objects on the stored times. */
 
 #include "fvCFD.H"
+#include "compatArgs.H"
 #include "fieldMemory.H"
 #include "flowSolver.H"
 #include "functionObjectList.H"
 #include "grainFoamVersion.H"
+#include "overflow.H"
 
 #define CREATE_MESH createDynamicFvMesh.H
 #define CREATE_FIELDS createFlowSolver.H
@@ -47,7 +49,18 @@ int main(int argc, char *argv[])
 
     Info<< "grainFoam " << GRAINFOAM_VERSION << nl << endl;
 
+    if (compat::dryRun(args))
+    {
+        FatalError
+            << "The mesh of '-dry-run' has one cell, and none for a body: use"
+            << " 'foamRun -check', which reads and builds everything on the"
+            << " mesh of the case and makes no time step" << nl
+            << exit(FatalError);
+    }
+
+    overflow::report(nullptr);
     #include "createTime.H"
+    overflow::report(&runTime);
     #include "createDynamicFvMesh.H"
     #include "createFlowSolver.H"
 
