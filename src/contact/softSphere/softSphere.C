@@ -51,6 +51,14 @@ Foam::contactModels::softSphere::softSphere
 
     ours.append(ofLaw);
     keywords::check(dict, ours);
+
+    if (largestOverlap_ >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'largestOverlap " << largestOverlap_ << "' in '"
+            << dict.dictName() << "' must be less than 1: bodies would be"
+            << " within each other" << nl << exit(FatalIOError);
+    }
 }
 
 

@@ -15,7 +15,25 @@ Foam::flowSolver::flowSolver(dynamicFvMesh& mesh)
     mesh_(mesh),
     runTime_(const_cast<Time&>(mesh.time())),
     pimple_(mesh)
-{}
+{
+    checkTimeControls();
+}
+
+
+void Foam::flowSolver::checkTimeControls() const
+{
+    const dictionary& dict = runTime_.controlDict();
+
+    for (const word key : {"deltaT", "maxCo", "maxDeltaT", "writeInterval"})
+    {
+        if (dict.found(key) && !(dict.get<scalar>(key) > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << key << ' ' << dict.get<scalar>(key)
+                << "' must be greater than 0" << nl << exit(FatalIOError);
+        }
+    }
+}
 
 
 Foam::autoPtr<Foam::flowSolver> Foam::flowSolver::New

@@ -38,7 +38,9 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
         stop
         (
             bodies_.proximity().overlaps().empty()
-          ? string("a body has left the mesh, see above")
+          ? "a body has left the mesh, see above; it may leave through patches"
+            " in 'leaving' only, and in this step bodies moved through "
+          + name(bodies_.courantNo()) + " cells"
           : "bodies overlap: " + bodies_.proximity().overlaps()
         );
     }

@@ -20,7 +20,7 @@ Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
 }
 
 
-void Foam::flowSolvers::fluidWithBodies::checkSettings() const
+void Foam::flowSolvers::fluidWithBodies::checkSettings()
 {
     if (mesh_.dynamic())
     {
@@ -44,6 +44,80 @@ void Foam::flowSolvers::fluidWithBodies::checkSettings() const
 
     // Refuses schemes that the bodies' equations do not follow
     meshProperties::ddt(mesh_, U_.name());
+
+    checkFluid();
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::checkFluid()
+{
+    const scalar nu = gMin(laminarTransport.nu()().primitiveField());
+
+    if (!(nu > 0))
+    {
+        FatalIOErrorInFunction(laminarTransport)
+            << "The viscosity 'nu' [m2/s] is " << nu << " and must be greater"
+            << " than 0: bodies move the fluid by it" << nl
+            << exit(FatalIOError);
+    }
+
+    for (const fv::option& one : static_cast<const fv::optionList&>(fvOptions))
+    {
+        if (one.type() == "meanVelocityForce")
+        {
+            FatalIOErrorInFunction(fvOptions)
+                << "'type meanVelocityForce' in '" << one.name()
+                << "' corrects the velocity and not the flux, which the bodies"
+                << " are held by: use 'type flowRateForce' with 'direction' and"
+                << " 'meanVelocity'" << nl << exit(FatalIOError);
+        }
+    }
+
+    // What is missing is found before the first time step
+    mesh_.solver(U_.select(true));
+    mesh_.solver(p_.select(true));
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::reportIgnored() const
+{
+    const dictionary& dict = pimple_.dict();
+    string ignored;
+
+    for (const word key : {"nOuterCorrectors", "nCorrectors"})
+    {
+        if (dict.lookupOrDefault<label>(key, 1) != 1)
+        {
+            ignored += " '" + key + "'";
+        }
+    }
+    if (dict.lookupOrDefault("consistent", false))
+    {
+        ignored += " 'consistent'";
+    }
+    if (!dict.lookupOrDefault("momentumPredictor", true))
+    {
+        ignored += " 'momentumPredictor'";
+    }
+
+    if (!ignored.empty())
+    {
+        Info<< "    not used, of 'PIMPLE' in " << dict.topDict().name()
+            << ":" << ignored.c_str() << "; iterations are those of 'coupling'"
+            << nl;
+    }
+
+    const dictionary& p = mesh_.solver(p_.select(true));
+    const scalar tolerance = p.lookupOrDefault<scalar>("tolerance", 1e-6);
+    const scalar relTol = p.lookupOrDefault<scalar>("relTol", 0);
+
+    if (max(relTol, tolerance) < 1e-4 && p.get<word>("solver") != "fastPoisson")
+    {
+        Info<< "    pressure: solved for its increment, from zero, so that"
+            << " 'relTol " << relTol << "' and 'tolerance " << tolerance
+            << "' ask for " << max(relTol, tolerance)
+            << " of what it begins with; 'relTol 0.01' does" << nl;
+    }
 }
 
 
@@ -67,6 +141,7 @@ void Foam::flowSolvers::fluidWithBodies::reportSetUp
     skipped += bodies_.contact() ? "" : ", contact";
     skipped += bodies_.lubrication() ? "" : ", lubrication";
 
+    reportIgnored();
     Info<< "    skipped: "
         << (skipped.empty() ? "nothing" : skipped.substr(2).c_str()) << nl
         << endl;

@@ -33,7 +33,7 @@ bool Foam::flowSolvers::immersedFluid::outerLoop()
         return true;
     }
 
-    if (!iteration_.farOff())
+    if (!iteration_.farOff() && !bodiesMoveTooFar())
     {
         return false;
     }
@@ -80,6 +80,12 @@ bool Foam::flowSolvers::immersedFluid::bodiesMoveTooFar() const
 
 void Foam::flowSolvers::immersedFluid::repeatStep()
 {
+    if (!iteration_.farOff())
+    {
+        halveStep("a body moves through too many cells in a time step");
+        return;
+    }
+
     if (momentum_.diverged())
     {
         Info<< "The momentum equation has not been solved: its solver diverges"

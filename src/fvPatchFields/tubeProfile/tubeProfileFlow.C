@@ -3,6 +3,14 @@
 #include "tubeProfileFvPatchVectorField.H"
 #include "volFields.H"
 
+namespace
+{
+    //- Cosine of the angle between the axis and the normal of a patch that
+    //  something flows through
+    const Foam::scalar minAcross = 1e-3;
+}
+
+
 void Foam::tubeProfileFvPatchVectorField::findTube()
 {
     const fvMesh& mesh = internalField().mesh();
@@ -25,6 +33,14 @@ void Foam::tubeProfileFvPatchVectorField::findTube()
         plane,
         normal
     );
+
+    if (mag(axis) > SMALL && mag(axis & tube_.axis()) < minAcross*mag(axis))
+    {
+        FatalIOErrorInFunction(entries_)
+            << "'axis " << tube_.axis() << "' of tubeProfile lies in the patch '"
+            << patch().name() << "': nothing would flow through it; it has the"
+            << " normal " << -axis/mag(axis) << nl << exit(FatalIOError);
+    }
 
     const pointField& points = patch().patch().localPoints();
     scalar most = -GREAT, least = GREAT;

@@ -5,6 +5,13 @@
 #include "immersedBody.H"
 #include "immersedRegion.H"
 
+namespace
+{
+    //- Cells across a body below which its layer leaves too little of it
+    const Foam::scalar least = 1;
+}
+
+
 Foam::Pair<Foam::scalar> Foam::bodyCellSizes::largest
 (
     const bodyRegion& region,
@@ -95,6 +102,21 @@ void Foam::bodyCellSizes::checkResolution
     {
         const immersedBody& body = bodies[bodyi];
         const scalar n = perWidth(body, bodyi);
+
+        // One that is leaving may have no cells any more
+        if
+        (
+            body.resolved() && n <= least
+         && !body.isFixed() && body.passing().empty()
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Body '" << body.name() << "' has only " << n
+                << " cells across its width, which is too few for the mesh to"
+                << " see it: at least 4 are needed, 8 for errors of a percent;"
+                << " or, in 3D, 'coupling { type auto; }'" << nl
+                << exit(FatalIOError);
+        }
 
         if (body.resolved() && n < 4)
         {

@@ -217,7 +217,18 @@ Foam::fastPoisson::fastPoisson
         interfaces,
         solverControls
     )
-{}
+{
+    for (const entry& e : controlDict_)
+    {
+        if (e.isDict() && e.keyword() != "fallback")
+        {
+            FatalIOErrorInFunction(controlDict_)
+                << "Unknown keyword '" << e.keyword() << "' in '"
+                << controlDict_.dictName() << "'; the only dictionary there is"
+                << " 'fallback', another solver" << nl << exit(FatalIOError);
+        }
+    }
+}
 
 
 Foam::scalar Foam::fastPoisson::begin

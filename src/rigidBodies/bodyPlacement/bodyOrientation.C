@@ -108,6 +108,16 @@ Foam::quaternion Foam::bodyOrientation::read
         rotation, "type", {"axisAngle", "euler", "axes"}, word::null
     );
 
+    for (const word key : {"axis", "e1", "e2", "e3", "direction"})
+    {
+        if (rotation.found(key) && !(mag(rotation.get<vector>(key)) > 0))
+        {
+            FatalIOErrorInFunction(rotation)
+                << "'" << key << "' in '" << rotation.dictName()
+                << "' must not be zero" << nl << exit(FatalIOError);
+        }
+    }
+
     const tensor R(coordinateRotation::New(rotation)->R());
 
     checkInPlane(dict, R, space.emptyDir());

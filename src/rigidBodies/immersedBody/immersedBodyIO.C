@@ -249,6 +249,16 @@ void Foam::immersedBody::readVelocities(const dictionary& dict)
 void Foam::immersedBody::readState(const dictionary& dict)
 {
     const dictionary& old = dict.subDict("old");
+    const scalar volumeThen = dict.lookupOrDefault("volume", volume());
+
+    if (mag(volumeThen - volume()) > 1e-6*volume())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Body '" << name_ << "' has a volume of " << volume()
+            << " m3 now and had " << volumeThen << " m3 in the run that is"
+            << " to go on: leave its 'shape' as it was, or begin at time 0"
+            << nl << exit(FatalIOError);
+    }
 
     number_ = dict.lookupOrDefault("number", number_);
     passing_ = dict.lookupOrDefault("passing", word::null);
@@ -298,6 +308,7 @@ void Foam::immersedBody::writeState(Ostream& os) const
     os.beginBlock(name_);
 
     os.writeEntry("number", number_);
+    os.writeEntry("volume", volume());
     if (origin_.size())
     {
         origin_.writeEntry("origin", os);

@@ -59,6 +59,47 @@ std::string suggestion(const Foam::word& name, const Foam::wordList& valid)
       : "; the nearest valid one is '" + nearest + "'";
 }
 
+//- Refuse values that go on with another keyword: the ';' between is missing
+void checkEnds(const Foam::dictionary& dict, const Foam::wordList& valid)
+{
+    using namespace Foam;
+
+    for (const entry& e : dict)
+    {
+        if (!e.isStream())
+        {
+            continue;
+        }
+
+        const ITstream& value = e.stream();
+        label depth = 0;
+
+        forAll(value, i)
+        {
+            const token& t = value[i];
+
+            if (t.isPunctuation())
+            {
+                const auto p = t.pToken();
+
+                depth += (p == token::BEGIN_LIST) - (p == token::END_LIST);
+            }
+            else if
+            (
+                i > 0 && depth == 0 && t.isWord()
+             && valid.found(t.wordToken())
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The value of '" << e.keyword() << "' in '"
+                    << dict.dictName() << "' goes on with '" << t.wordToken()
+                    << "': there is no ';' between them" << nl
+                    << exit(FatalIOError);
+            }
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -84,6 +125,8 @@ Foam::word Foam::keywords::nearest(const word& name, const wordList& valid)
 
 void Foam::keywords::check(const dictionary& dict, const wordList& valid)
 {
+    checkEnds(dict, valid);
+
     for (const word& key : dict.toc())
     {
         if (key != "FoamFile" && !valid.found(key))

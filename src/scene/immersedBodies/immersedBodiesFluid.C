@@ -2,6 +2,7 @@
 
 #include "checkKeywords.H"
 #include "immersedBodies.H"
+#include "meshProperties.H"
 #include "uniformDimensionedFields.H"
 
 namespace
@@ -77,6 +78,21 @@ Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
         ),
         dimensionedVector(dimAcceleration, Zero)
     );
+
+    const vector out
+    (
+        g.value()
+      - cmptMultiply(g.value(), meshProperties::space(mesh).translation())
+    );
+
+    if (g.dimensions() != dimAcceleration || magSqr(out) > 0)
+    {
+        FatalErrorInFunction
+            << "'value " << g.value() << "', 'dimensions " << g.dimensions()
+            << "' in " << g.objectPath() << ": allowed are dimensions "
+            << dimAcceleration << " and vectors in the plane of the mesh" << nl
+            << exit(FatalError);
+    }
 
     return g.value();
 }

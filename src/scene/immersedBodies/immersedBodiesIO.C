@@ -26,6 +26,8 @@ Foam::IOdictionary Foam::immersedBodies::readProperties(const fvMesh& mesh)
 
 bool Foam::immersedBodies::any(const dictionary& properties)
 {
+    checked(properties);
+
     return properties.subOrEmptyDict("bodies").size()
      || properties.subOrEmptyDict("injection").size();
 }
@@ -42,6 +44,23 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
             "injection", "bodies", "grains", "turbulentWalls"
         }
     );
+    for (const entry& e : dict)
+    {
+        if (!e.isDict() && e.keyword() != "rho")
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << e.keyword() << "' is not a sub-dictionary, as '"
+                << e.keyword() << " { "
+                << (
+                       e.keyword() == "bodies" || e.keyword() == "injection"
+                     ? "name { ... }"
+                     : "type ...;"
+                   )
+                << " }' is; allowed without braces is 'rho' only" << nl
+                << exit(FatalIOError);
+        }
+    }
+
     wordList ofCoupling(unresolvedCoupling::keywords);
     ofCoupling.append(outerIteration::keywords);
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
@@ -65,6 +84,14 @@ bool Foam::immersedBodies::readState()
 
     if (!io.typeHeaderOk<IOdictionary>(false))
     {
+        if (mesh_.time().value() > 0)
+        {
+            WarningInFunction
+                << "There is no state of the bodies, " << io.objectPath()
+                << ": they begin at the positions and velocities in "
+                << dict_.name() << ", in the fluid of this time" << nl << endl;
+        }
+
         return false;
     }
 

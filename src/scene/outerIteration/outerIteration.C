@@ -45,6 +45,15 @@ Foam::outerIteration::outerIteration
     speedChange_(0),
     limit_(0)
 {
+    for (const word key : {"nOuterCorrectors", "minOuterCorrectors"})
+    {
+        if (coupling.found(key))
+        {
+            // Not a broken number
+            coupling.get<label>(key);
+        }
+    }
+
     if (least_ > most_)
     {
         FatalIOErrorInFunction(coupling)

@@ -60,6 +60,17 @@ Foam::sensorPlane::sensorPlane
             << nl << exit(FatalIOError);
     }
 
+    for (const vector& direction : {normal_, axis_})
+    {
+        if (mag(direction - cmptMultiply(direction, space.translation())) > 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "'normal' or 'axis' in '" << dict.dictName()
+                << "' leads out of the plane of the mesh" << nl
+                << exit(FatalIOError);
+        }
+    }
+
     setAngles(dict);
 }
 

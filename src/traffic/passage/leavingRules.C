@@ -34,7 +34,31 @@ Foam::leavingRules::leavingRules
               : dict.subDict("default")
             );
             active_ = active_ || r.what != action::stop;
+            checkPlace(r, dict, mesh.bounds());
         }
+    }
+}
+
+
+void Foam::leavingRules::checkPlace
+(
+    const rule& r,
+    const dictionary& dict,
+    const boundBox& bounds
+)
+{
+    const bool outside =
+        r.shifted
+      ? cmptMax(cmptMag(r.to) - bounds.span()) > 0
+      : !bounds.contains(r.to);
+
+    if (r.what == action::reinject && outside)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << (r.shifted ? "shift " : "position ") << r.to
+            << "' of 'type reinject' in '" << dict.dictName()
+            << "' leads out of the mesh, whose bounds are " << bounds << nl
+            << exit(FatalIOError);
     }
 }
 
