@@ -41,13 +41,18 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
           ? "a body has left the mesh, see above; it may leave through patches"
             " in 'leaving' only, and in this step bodies moved through "
           + name(bodies_.courantNo()) + " cells"
-          : "bodies overlap: " + bodies_.proximity().overlaps()
+          : "bodies overlap: " + bodies_.proximity().overlaps(),
+            true
         );
     }
 }
 
 
-void Foam::flowSolvers::fluidWithBodies::stop(const string& why)
+void Foam::flowSolvers::fluidWithBodies::stop
+(
+    const string& why,
+    const bool atEnd
+)
 {
     // What a run begins from is there
     const bool stepped = runTime_.timeIndex() > runTime_.startTimeIndex();
@@ -55,6 +60,14 @@ void Foam::flowSolvers::fluidWithBodies::stop(const string& why)
     if (stepped)
     {
         runTime_.writeNow();
+        bodies_.bodyFraction()->write();
+
+        // Tables and surfaces of what has been written
+        if (atEnd)
+        {
+            runTime_.functionObjects().execute();
+        }
+        runTime_.functionObjects().end();
     }
 
     FatalErrorInFunction
@@ -125,16 +138,48 @@ void Foam::flowSolvers::fluidWithBodies::endIfSteady()
 }
 
 
+void Foam::flowSolvers::fluidWithBodies::reportTraffic() const
+{
+    const IOdictionary dict(immersedBodies::readProperties(mesh_));
+    const dictionary injectors(dict.subOrEmptyDict("injection"));
+    const dictionary leaving(dict.subOrEmptyDict("leaving"));
+
+    if (injectors.size())
+    {
+        Info<< "    injectors        " << flatOutput(injectors.toc()) << nl;
+    }
+
+    Info<< "    leaving          ";
+    for (const entry& e : leaving)
+    {
+        Info<< e.keyword() << ' ' << e.dict().get<word>("type") << ", ";
+    }
+    Info<< (leaving.size() ? "others stop" : "stop") << nl;
+}
+
+
 void Foam::flowSolvers::fluidWithBodies::check()
 {
     incompressibleFluid::check();
 
     const scalar dt = runTime_.deltaTValue();
 
-    Info<< "    time step for a Courant number of 1:  fluid "
-        << dt/max(CoNum, VSMALL) << "  bodies "
-        << dt/max(bodies_.courantNo(), VSMALL) << nl
-        << "    cells in the bands of bodies: "
+    if (CoNum > SMALL || bodies_.courantNo() > SMALL)
+    {
+        Info<< "    time step for a Courant number of 1:";
+        if (CoNum > SMALL)
+        {
+            Info<< "  fluid " << dt/CoNum;
+        }
+        if (bodies_.courantNo() > SMALL)
+        {
+            Info<< "  bodies " << dt/bodies_.courantNo();
+        }
+        Info<< nl;
+    }
+    reportTraffic();
+
+    Info<< "    cells in the bands of bodies: "
         << returnReduce(bodies_.region().nCells(), sumOp<label>()) << nl
         << "    body    width/h    density ratio    position    velocity" << nl;
 

@@ -3,11 +3,12 @@
 #include "fluidWithBodies.H"
 #include "carrierFlow.H"
 #include "compatMesh.H"
+#include "functionObject.H"
 #include "meshProperties.H"
 
 Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
 :
-    incompressibleFluid(mesh),
+    incompressibleFluid(mesh, true),
     ownBodies_
     (
         new immersedBodies(mesh, immersedBodies::readProperties(mesh))
@@ -17,6 +18,11 @@ Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
 {
     checkSettings();
     compat::setFinalIteration(mesh_, true);
+
+    if (!functionObject::postProcess)
+    {
+        setInitialDeltaT();
+    }
 }
 
 

@@ -126,7 +126,8 @@ void Foam::flowSolvers::immersedFluid::halveStep(const string& why)
         stop
         (
             why + ", however short it is made: 'deltaT' in "
-          + runTime_.system() + "/controlDict is too large"
+          + runTime_.system() + "/controlDict is too large",
+            false
         );
     }
 

@@ -43,6 +43,16 @@ Foam::flowSolvers::incompressibleFluid::incompressibleFluid
     dynamicFvMesh& mesh
 )
 :
+    incompressibleFluid(mesh, false)
+{}
+
+
+Foam::flowSolvers::incompressibleFluid::incompressibleFluid
+(
+    dynamicFvMesh& mesh,
+    const bool more
+)
+:
     flowSolver(mesh),
     p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
     pRefCell(0),
@@ -104,7 +114,10 @@ Foam::flowSolvers::incompressibleFluid::incompressibleFluid
     }
 
     correctCoNum();
-    setInitialDeltaT();
+    if (!more)
+    {
+        setInitialDeltaT();
+    }
     momentumTransport->validate();
 }
 
@@ -157,5 +170,8 @@ void Foam::flowSolvers::incompressibleFluid::check()
         }
     }
 
+    // They are not to write
+    functionObject::postProcess = true;
     runTime_.functionObjects().read();
+    functionObject::postProcess = false;
 }

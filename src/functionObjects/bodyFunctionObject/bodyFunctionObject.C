@@ -20,7 +20,7 @@ Foam::functionObjects::bodyFunctionObject::bodyFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, fileName, dict)
+    tableFile(mesh_, name, fileName, dict)
 {}
 
 

@@ -21,7 +21,7 @@ Foam::functionObjects::immersedBodyEnergy::immersedBodyEnergy
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict)
+    tableFile(mesh_, name, typeName, dict)
 {
     read(dict);
 }

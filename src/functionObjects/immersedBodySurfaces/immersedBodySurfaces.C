@@ -66,6 +66,20 @@ Foam::functionObjects::immersedBodySurfaces::immersedBodySurfaces
     fvMeshFunctionObject(name, runTime, dict)
 {
     read(dict);
+
+    const immersedBodies* bodies =
+        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
+
+    // What a run begins with, where no earlier one has written it
+    if
+    (
+        !postProcess
+     && runTime.timeIndex() == runTime.startTimeIndex()
+     && bodies && !bodies->restarted()
+    )
+    {
+        write();
+    }
 }
 
 

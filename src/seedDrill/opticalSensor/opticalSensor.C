@@ -52,7 +52,7 @@ Foam::functionObjects::opticalSensor::opticalSensor
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, "passages", dict),
+    tableFile(mesh_, name, "passages", dict),
     bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
     record_(name, mesh_, bodies_.clock()),
     traceTime_(bodies_.clock()),

@@ -115,11 +115,6 @@ void Foam::functionObjects::opticalSensor::count(const passage& one)
 
     OFstream& os = file();
 
-    if (!writtenHeader_)
-    {
-        writePassagesHeader();
-    }
-
     os  << crossing.time << tab << one.plane << tab << one.body;
     for (const scalar Ui : crossing.U)
     {
@@ -173,6 +168,10 @@ bool Foam::functionObjects::opticalSensor::execute()
         }
     );
 
+    if (writeToFile() && !writtenHeader_)
+    {
+        writePassagesHeader();
+    }
     for (const passage& one : passages)
     {
         count(one);
