@@ -11,6 +11,10 @@ namespace
     //  that far, and the relative change below which linear solvers are seen
     const Foam::scalar farEnough = 0.1;
     const Foam::scalar noise = 1e-5;
+
+    //- Cells through which no iteration moves a body that is to converge:
+    //  contact would take as many steps of its own
+    const Foam::scalar lostCells = 50;
 }
 
 
@@ -98,6 +102,10 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (free && iteration_.many())
     {
         iteration_.noteFastest(gMax(mag(U_.primitiveField())()));
+    }
+    if (free && bodies_.courantNo() > lostCells)
+    {
+        iteration_.lose();
     }
 
     // What is combined has no flux: of that which iterations change little. One
