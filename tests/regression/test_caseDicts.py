@@ -50,7 +50,7 @@ def test_includeFunc(tmp_path):
     passages = tables.run_columns(case.path, "opticalSensor", "passages")
     assert list(passages["planeName"]) == ["near"]
     folder = case.path/"postProcessing/immersedBodySurfaces"
-    assert len(list(folder.glob("bodies_*.vtp"))) == 2
+    assert len(list(folder.glob("bodies_*.vtp"))) == 3
 
 
 def sourced(script, **variables):

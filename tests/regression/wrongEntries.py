@@ -482,6 +482,11 @@ WRONG = {
     "settings of the last pressure correction": (
         "system/fvSolution", '"(p|pFinal)"', "p", ["pFinal", "fvSolution"],
     ),
+    "relaxed momentum equation": (
+        "system/fvSolution", "PIMPLE",
+        'relaxationFactors { equations { "U.*" 0.7; } }\nPIMPLE',
+        ["'UFinal' is 0.7 and must be 1", "system/fvSolution"],
+    ),
     **{
         f"{key} {value}": (
             "system/controlDict", "deltaT          0.02;",

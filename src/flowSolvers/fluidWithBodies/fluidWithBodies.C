@@ -79,6 +79,24 @@ void Foam::flowSolvers::fluidWithBodies::checkFluid()
         }
     }
 
+    const word equation(U_.select(true));
+
+    if
+    (
+        mesh_.relaxEquation(equation)
+     && mesh_.equationRelaxationFactor(equation) < 1
+    )
+    {
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subDict("relaxationFactors")
+        )   << "The momentum equation with bodies is that of the last"
+            << " iteration, and must not be relaxed: in 'equations' the factor"
+            << " of '" << equation << "' is "
+            << mesh_.equationRelaxationFactor(equation) << " and must be 1"
+            << nl << exit(FatalIOError);
+    }
+
     // What is missing is found before the first time step
     mesh_.solver(U_.select(true));
     mesh_.solver(p_.select(true));
