@@ -23,7 +23,7 @@ FILES = (
     "constant/g", "system/controlDict", "system/controlDict",
     "system/fvSchemes", "system/fvSolution", "0/U", "0/p",
 )
-TIMEOUT = 20    # s; a start takes less than one
+TIMEOUT = 90    # s; most starts take less than one
 
 
 class Outcome:

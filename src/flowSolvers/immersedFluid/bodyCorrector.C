@@ -12,9 +12,9 @@ namespace
     const Foam::scalar farEnough = 0.1;
     const Foam::scalar noise = 1e-5;
 
-    //- Cells through which no iteration moves a body that is to converge:
-    //  contact would take as many steps of its own
-    const Foam::scalar lostCells = 50;
+    //- Way, over that allowed in a time step, on which no iteration sends a
+    //  body that is to converge: contact would take as many steps of its own
+    const Foam::scalar lostWay = 5;
 }
 
 
@@ -103,7 +103,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     {
         iteration_.noteFastest(gMax(mag(U_.primitiveField())()));
     }
-    if (free && bodies_.courantNo() > lostCells)
+    if (free && way() > lostWay)
     {
         iteration_.lose();
     }

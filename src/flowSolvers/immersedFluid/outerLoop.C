@@ -4,9 +4,11 @@
 
 namespace
 {
-    //- Cells that bodies may move through in a time step, so that the fluid
-    //  around them can follow
+    //- Cells that a body may move through in a time step, so that the fluid
+    //  around it can follow; of one that is not resolved, so that contact and
+    //  the walls of the mesh can
     const Foam::scalar maxCells = 10;
+    const Foam::scalar maxUnresolved = 100;
 }
 
 
@@ -59,19 +61,34 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
 }
 
 
+Foam::scalar Foam::flowSolvers::immersedFluid::way() const
+{
+    const scalar dt = runTime_.deltaTValue();
+    scalar most = 0;
+
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+        const scalar h = body.shape().width()/bodies_.cellsPerWidth(bodyi);
+        const scalar nCells = dt*body.maxSpeed(bodies_.window().velocity())/h;
+
+        most = max(most, nCells/(body.resolved() ? maxCells : maxUnresolved));
+    }
+
+    return most;
+}
+
+
 bool Foam::flowSolvers::immersedFluid::bodiesMoveTooFar() const
 {
-    const scalar nCells = bodies_.courantNo();
     const bool tooFar =
-        retry_.valid()
-     && bodies_.nResolved()
-     && !bodies_.steady().active()
-     && nCells > maxCells;
+        retry_.valid() && !bodies_.steady().active() && way() > 1;
 
     if (tooFar)
     {
-        Info<< "The bodies would move through " << nCells
-            << " cells in this time step, more than " << maxCells << endl;
+        Info<< "A body would move through " << way() << " times the cells that"
+            << " it may in a time step, " << maxCells << " if resolved and "
+            << maxUnresolved << " if not" << endl;
     }
 
     return tooFar;

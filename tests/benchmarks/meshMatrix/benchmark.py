@@ -70,10 +70,9 @@ class Attempt(Result):
             failed = True
         log = (case.path/f"log.{app}").read_text()
         times = re.findall(r"ExecutionTime = (\S+) s", log)
-        speeds = re.findall(r"Courant Number mean: \S+ max: (\S+)", log)
         self.cpu = float(times[-1]) if times else 0.0
         self.steps = len(times)
-        self.stable = not failed and float(speeds[-1]) < 3*float(speeds[0])
+        self.stable = not failed and self.largest(case) < 3*FASTEST
 
     def largest(self, case):
         """Largest speed in the last time."""
