@@ -181,8 +181,20 @@ void Foam::immersedBodies::report(Ostream& os) const
 
     if (lubrication_->active())
     {
+        label nOthers = 0;
+
+        for (const immersedBody& body : bodies_)
+        {
+            nOthers += !body.shape().round();
+        }
+
         os  << "    lubrication: ";
         lubrication_->report(os);
+
+        if (nOthers)
+        {
+            os  << "; none for " << nOthers << " that are not round";
+        }
         os  << nl;
     }
 
