@@ -2,6 +2,7 @@
 
 #include "fusedKernels.H"
 #include "debug.H"
+#include "IOstreams.H"
 #include "registerSwitch.H"
 
 int Foam::fusedKernels::active
