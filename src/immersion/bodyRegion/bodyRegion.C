@@ -180,7 +180,7 @@ Foam::scalar Foam::bodyRegion::moved(const immersedBody& body) const
 }
 
 
-bool Foam::bodyRegion::serves(const immersedBody& body) const
+bool Foam::bodyRegion::stillValid(const immersedBody& body) const
 {
     if (!body.resolved() || searchMargin_ < 0)
     {
@@ -246,7 +246,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
         return change::none;
     }
 
-    if (again && serves(body))
+    if (again && stillValid(body))
     {
         return change::none;
     }

@@ -127,11 +127,11 @@ void Foam::immersedRegion::removed(const label bodyi)
 }
 
 
-bool Foam::immersedRegion::serves(const PtrList<immersedBody>& bodies) const
+bool Foam::immersedRegion::stillValid(const PtrList<immersedBody>& bodies) const
 {
     forAll(bodies, bodyi)
     {
-        if (!regions_[bodyi].serves(bodies[bodyi]))
+        if (!regions_[bodyi].stillValid(bodies[bodyi]))
         {
             return false;
         }
@@ -149,7 +149,7 @@ void Foam::immersedRegion::updateGeometry
 )
 {
     // By the bodies alone, which are the same on all processors
-    same_ = again && !changed && serves(bodies);
+    same_ = again && !changed && stillValid(bodies);
 
     if (same_)
     {
