@@ -202,8 +202,16 @@ scalar difference(const fvVectorMatrix& a, const fvVectorMatrix& b)
             largest = max
             (
                 largest,
-                mag(a.internalCoeffs()[patchi][i] - b.internalCoeffs()[patchi][i])
-              + mag(a.boundaryCoeffs()[patchi][i] - b.boundaryCoeffs()[patchi][i])
+                mag
+                (
+                    a.internalCoeffs()[patchi][i]
+                  - b.internalCoeffs()[patchi][i]
+                )
+              + mag
+                (
+                    a.boundaryCoeffs()[patchi][i]
+                  - b.boundaryCoeffs()[patchi][i]
+                )
             );
         }
     }

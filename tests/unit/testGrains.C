@@ -119,8 +119,8 @@ TEST_CASE("Grains of the library are as heavy and fast as grains", "[grains]")
 
 TEST_CASE("Wheat falls as fast as wheat does", "[grains]")
 {
-    // Broadside on, with the drag coefficient and the velocity of Int. Agrophys.
-    // 28 (2014) 389, at 7 % moisture
+    // Broadside on, with the drag coefficient and the velocity of Int.
+    // Agrophys. 28 (2014) 389, at 7 % moisture
     const dictionary body(library().subDict("wheat").subDict("body"));
     const auto shape = bodyShape::New(body.subDict("shape"), -1);
     const vector a(body.subDict("shape").get<vector>("semiAxes"));

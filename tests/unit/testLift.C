@@ -22,7 +22,8 @@ PtrList<liftModel> models(const std::string& type)
 }
 
 
-//- Lift on a sphere, D 0.01, nu 1e-3, along whose slip, x, the flow grows with y
+//- Lift on a sphere, D 0.01 m, nu 1e-3 m2/s, with the slip W along x in a flow
+//  along x that grows with y
 vector shearLift(const scalar W, const scalar shear)
 {
     const vector vorticity(0, 0, -shear);

@@ -36,8 +36,14 @@ TEST_CASE("Positions are put into one period", "[periodicity]")
     CHECK(periods.active());
     CHECK(periods.wrap(point(1.5, 2.1, 7)) == vector::zero);
     CHECK(periods.wrap(point(1, 2, 0)) == vector::zero);
-    CHECK(difference(periods.wrap(point(3.5, 2.1, 7)), vector(-2, 0, 0)) < 1e-12);
-    CHECK(difference(periods.wrap(point(1, 1.9, 0)), vector(0.5, 1, 0)) < 1e-12);
+    CHECK
+    (
+        difference(periods.wrap(point(3.5, 2.1, 7)), vector(-2, 0, 0)) < 1e-12
+    );
+    CHECK
+    (
+        difference(periods.wrap(point(1, 1.9, 0)), vector(0.5, 1, 0)) < 1e-12
+    );
     const vector far(-5*vector(2, 0, 0) + 3*vector(0.5, 1, 0));
     CHECK(difference(periods.wrap(point(1.5, 2.1, 7) - far), far) < 1e-12);
 

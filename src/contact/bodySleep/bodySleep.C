@@ -125,7 +125,10 @@ void Foam::bodySleep::readState
     for (immersedBody& body : bodies)
     {
         const word key(keyOf(body));
-        const dictionary known(dict.subOrEmptyDict("rests").subOrEmptyDict(key));
+        const dictionary known
+        (
+            dict.subOrEmptyDict("rests").subOrEmptyDict(key)
+        );
 
         if (known.size())
         {

@@ -28,7 +28,10 @@ Foam::meshWindow::meshWindow
         return;
     }
 
-    keywords::check(dict, {"type", "direction", "directions", "follow", "velocity"});
+    keywords::check
+    (
+        dict, {"type", "direction", "directions", "follow", "velocity"}
+    );
     directions_ = readDirections(dict);
     checkWalls(dict, mesh);
 
