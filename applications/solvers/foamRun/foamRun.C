@@ -7,7 +7,7 @@ Description
 Usage
     \b foamRun [-solver name] [-check | -postProcess]
       - \par -solver name
-        The solver, for example incompressibleFluid; goes before the entry
+        The solver, for example incompressibleFluid; overrides the entry
         solver of system/controlDict.
       - \par -check
         Read and build all, report, make no time step.
