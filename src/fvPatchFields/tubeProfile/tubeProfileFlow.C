@@ -37,8 +37,8 @@ void Foam::tubeProfileFvPatchVectorField::findTube()
     if (mag(axis) > SMALL && mag(axis & tube_.axis()) < minAcross*mag(axis))
     {
         FatalIOErrorInFunction(entries_)
-            << "'axis " << tube_.axis() << "' of tubeProfile lies in the patch '"
-            << patch().name() << "': nothing would flow through it; it has the"
+            << "'axis " << tube_.axis() << "' of tubeProfile lies in the patch"
+            << " '" << patch().name() << "': nothing would flow through it; it has the"
             << " normal " << -axis/mag(axis) << nl << exit(FatalIOError);
     }
 
