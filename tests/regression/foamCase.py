@@ -10,6 +10,9 @@
 The programs are taken from PATH: etc/bashrc has been sourced.
 """
 
+import contextlib
+import copy
+import fcntl
 import os
 import re
 import shutil
@@ -22,6 +25,21 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"python"))
 
 from grainfoam import tables
+
+
+# File that a run on several ranks locks, if there are other processes
+ranks_lock = None
+
+
+@contextlib.contextmanager
+def alone(ranks):
+    """Wait until no other process has a run on several ranks."""
+    if ranks == 1 or not ranks_lock:
+        yield
+        return
+    with open(ranks_lock, "w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
 
 
 class FoamError(Exception):
@@ -42,6 +60,13 @@ class FoamCase:
         if (self.path / "0.orig").is_dir() and not start.exists():
             shutil.copytree(self.path / "0.orig", start)
 
+    def copy(self, folder, name):
+        """The same in another folder, with its mesh and results."""
+        other = copy.copy(self)
+        other.path = Path(folder) / name
+        shutil.copytree(self.path, other.path)
+        return other
+
     def run(self, app, *args, ranks=1):
         """Run a program, return its log; FoamError if it fails.
 
@@ -61,10 +86,11 @@ class FoamCase:
             # Waiting ranks leave the core to others: there may be too few
             OMPI_MCA_mpi_yield_when_idle="1",
         )
-        done = subprocess.run(
-            command, cwd=self.path, env=environment, text=True,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-        )
+        with alone(ranks):
+            done = subprocess.run(
+                command, cwd=self.path, env=environment, text=True,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            )
         (self.path / f"log.{app}").write_text(done.stdout)
         if done.returncode != 0:
             tail = "\n".join(done.stdout.splitlines()[-40:])

@@ -12,6 +12,8 @@ from bodyCase import BodyCase
 from boxMesh import uniform
 from foamCase import tables
 
+pytestmark = pytest.mark.fast
+
 ROOT = Path(__file__).resolve().parents[2]
 ENTRIES = ROOT/"etc/caseDicts/postProcessing/grainFoam"
 GRAIN = """

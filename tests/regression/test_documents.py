@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.fast
+
 ROOT = Path(__file__).resolve().parents[2]
 NOT_OURS = {
     "platforms", "lnInclude", "postProcessing", "results", "dynamicCode",

@@ -4,6 +4,10 @@
 import re
 from pathlib import Path
 
+import pytest
+
+pytestmark = pytest.mark.fast
+
 SRC = Path(__file__).resolve().parents[2]/"src"
 
 # Each may use those before it, and of the mesh what is said

@@ -3,10 +3,30 @@
 
 import pytest
 
+import refusals
 from bodyCase import BodyCase
 from boxMesh import uniform
 from foamCase import FoamError
-from wrongEntries import BODY, FILE, WRONG
+from wrongEntries import WRONG
+from wrongText import BODY, FILE
+
+pytestmark = pytest.mark.fast
+
+# One of each kind of place: these run the program itself, all of them a fork
+# with the same code
+END_TO_END = [
+    "keyword",
+    "keyword of a shape",
+    "type of function",
+    "exponents",
+    "overlap with a wall",
+    "file of positions",
+    "patches that no patch matches",
+    "distribution",
+    "a plane without a normal",
+    "steady state",
+    "solver",
+]
 
 DISC = "{ type disc; radius 0.25; }"
 MOVING_MESH = """FoamFile
@@ -49,8 +69,30 @@ def test_the_case_itself_runs(tube, tmp_path):
     assert "\nTime = 0.02" in case.run("foamRun")
 
 
+@pytest.fixture(scope="module")
+def refused(tube, tmp_path_factory):
+    """The refusals of all wrong entries."""
+    def change(file, text, instead):
+        def in_case(case):
+            path = case.path / file
+            path.write_text(path.read_text().replace(text, instead))
+        return in_case
+
+    return refusals.of_copies(tube, tmp_path_factory.mktemp("refused"), {
+        name: change(*entry[:3]) for name, entry in WRONG.items()
+    })
+
+
 @pytest.mark.parametrize("wrong", WRONG)
-def test_wrong_entries_are_refused(wrong, tube, tmp_path):
+def test_wrong_entries_are_refused(wrong, tube, refused):
+    file, text, _, message = WRONG[wrong]
+    assert (tube.path / file).read_text().count(text) == 1
+
+    refused[wrong].names(*message)
+
+
+@pytest.mark.parametrize("wrong", END_TO_END)
+def test_the_program_refuses_wrong_entries(wrong, tube, tmp_path):
     file, text, instead, message = WRONG[wrong]
     case = BodyCase(tube, tmp_path, "tube")
     case.replace(file, text, instead)

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.fast
+
 FILE = Path(__file__).resolve().parents[2]/"etc/paraview/grains.py"
 spec = importlib.util.spec_from_file_location("grains", FILE)
 grains = importlib.util.module_from_spec(spec)

@@ -8,6 +8,8 @@ import pytest
 
 from foamCase import tables
 
+pytestmark = pytest.mark.fast
+
 MOTION = """# Bodies, by number:
 # time[s]       \tbody\tposition_x[m]\tq_w
 # 0             : grain1

@@ -11,6 +11,8 @@ import pytest
 from bodyCase import CASES
 from foamCase import FoamCase
 
+pytestmark = pytest.mark.fast
+
 ROOT = Path(__file__).resolve().parents[2]
 VERSION = (ROOT/"VERSION").read_text().strip()
 
