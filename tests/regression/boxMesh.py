@@ -32,6 +32,12 @@ def uniform(low, high, cells):
     return [low, (high - low, cells, 1)]
 
 
+def around(centre, half_width, h, offset=0.0):
+    """Core of cells of size h about the centre, shifted by offset cells."""
+    n = round(half_width/h)
+    return centre - (n + offset)*h, centre + (n - offset)*h
+
+
 def graded(low, high, core, h, growth=1.08):
     """Cells of size h in the core, at most `growth` times the last beyond."""
     cells = round((core[1] - core[0])/h)

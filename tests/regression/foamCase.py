@@ -115,6 +115,28 @@ class FoamCase:
         """Name of the last time folder."""
         return self.times(folder)[-1]
 
+    def results(self, ranks=1, headers=False):
+        """Contents of the files of the last time, by their names.
+
+        Without headers, and without uniform/time: the name of the time, a sum
+        of time steps, may differ in its last digit. With them: all of it.
+        """
+        folders = [f"processor{i}" for i in range(ranks)] if ranks > 1 else "."
+        found = {}
+        for folder in folders:
+            time = self.path / folder / self.latest_time(folder)
+            assert float(time.name) > 0
+            for file in time.rglob("*"):
+                if not file.is_file():
+                    continue
+                content = file.read_bytes()
+                if not headers:
+                    if file.name == "time":
+                        continue
+                    content = content.split(b"// * *", 1)[1]
+                found[f"{folder}/{file.relative_to(time)}"] = content
+        return found
+
     def read_dat(self, path):
         """Rows of numbers of a .dat file; brackets of vectors are dropped."""
         with open(self.path / path) as file:

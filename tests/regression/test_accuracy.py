@@ -10,7 +10,7 @@ import pytest
 
 import roundTube
 from bodyCase import BodyCase
-from boxMesh import graded, uniform
+from boxMesh import around, graded, uniform
 
 FIXED = "constraints { translate (0 0 0); rotate (0 0 0); }"
 DEPTH = 0.1
@@ -48,12 +48,6 @@ def solve(case):
     start = time.perf_counter()
     case.solve()
     return time.perf_counter() - start
-
-
-def around(centre, half_width, h, offset=0.0):
-    """Core of cells of size h about the centre, shifted by offset cells."""
-    n = round(half_width/h)
-    return centre - (n + offset)*h, centre + (n - offset)*h
 
 
 def steady(values, tolerance):

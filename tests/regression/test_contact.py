@@ -5,47 +5,11 @@ the closed forms of a collision hold."""
 import numpy as np
 import pytest
 
-import boxMesh
 import roundTube
 from bodyCase import BodyCase
 from boxMesh import uniform
+from contactCase import RATIO, box2d, contact, discs
 from foamCase import FoamError
-
-RATIO = 1e4
-
-
-def contact(e=0.88, mu=0.25, more=""):
-    """Entry of the model."""
-    return (
-        f"contact {{ type softSphere; restitution {e}; friction {mu};"
-        f" {more} }}"
-    )
-
-
-def box2d(folder, n, name=None):
-    """A square of two by two with walls and n cells along each side."""
-    case = BodyCase("box", folder, name)
-    sides = {"walls": "x- x+ y- y+"}
-    boxMesh.write(case, uniform(-1, 1, n), uniform(-1, 1, n), None, sides)
-    for field in ("U", "p"):
-        case.replace(
-            f"0/{field}", "boundaryField\n{",
-            "boundaryField\n{\n    frontAndBack { type empty; }",
-        )
-    case.run("blockMesh")
-    return case
-
-
-def discs(positions, radius=0.25, velocities=None, ratio=RATIO):
-    """Entries of discs, by their positions in the plane."""
-    return "\n".join(
-        f"disc{i} {{ shape {{ type disc; radius {radius}; }}"
-        f" densityRatio {ratio}; position ({x} {y} 0);"
-        f" velocity ({u} {v} 0); }}"
-        for i, ((x, y), (u, v)) in enumerate(zip(
-            positions, velocities or [(0, 0)]*len(positions), strict=True
-        ))
-    )
 
 
 @pytest.mark.parametrize("e, more, dt", [
@@ -166,11 +130,7 @@ def test_heap_comes_to_rest(tmp_path):
         (-0.8 + 0.27*i + 0.05*(j % 2), -0.85 + 0.27*j)
         for j in range(5) for i in range(6)
     ]
-    (case.path/"constant/g").write_text(
-        "FoamFile { version 2.0; format ascii;"
-        " class uniformDimensionedVectorField; object g; }\n"
-        "dimensions [0 1 -2 0 0 0 0]; value (0 -10 0);\n"
-    )
+    case.gravity(y=-10)
     case.bodies(
         discs(positions, radius=0.12, ratio=1000), contact(e=0.5)
     )

@@ -9,15 +9,10 @@ import pytest
 
 from bodyCase import BodyCase
 from boxMesh import uniform
+from contactCase import box2d, contact, discs
 from openTube import open_tube
-from test_contact import box2d, contact, discs
 
 HEAVY = 1e4
-GRAVITY = """FoamFile
-{{ version 2.0; format ascii; class uniformDimensionedVectorField; object g; }}
-dimensions [0 1 -2 0 0 0 0];
-value (0 {} 0);
-"""
 
 
 def parting(case, first, second):
@@ -30,7 +25,7 @@ def parting(case, first, second):
 def film(tmp_path_factory):
     """A disc that falls onto a wall and on another disc, with films."""
     case = box2d(tmp_path_factory.mktemp("film"), 20, "film")
-    (case.path/"constant/g").write_text(GRAVITY.format(-5))
+    case.gravity(y=-5)
     case.replace("constant/transportProperties", "0.1;", "0.05;")
     case.bodies(
         discs(
@@ -77,7 +72,7 @@ def test_restart_with_films_is_exact(film, tmp_path):
 
 def test_light_bodies_rise_to_a_wall(tmp_path):
     case = box2d(tmp_path, 20)
-    (case.path/"constant/g").write_text(GRAVITY.format(-1))
+    case.gravity(y=-1)
     case.replace("constant/transportProperties", "0.1;", "0.02;")
     case.bodies(
         discs([(-0.3, 0.4), (0.35, 0.1)], ratio=0.1), contact(e=0.7)

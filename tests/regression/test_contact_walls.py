@@ -10,25 +10,10 @@ import refusals
 import roundTube
 from bodyCase import BodyCase
 from boxMesh import uniform
+from contactCase import conditions
 
 RATIO = 1e6
 SIDES = {"wallBelt": "y-", "walls": "x- x+ y+ z- z+"}
-
-
-def conditions(case, velocities):
-    """Boundary conditions of closed walls, by patch."""
-    empty = {
-        patch: text for patch, text in velocities.items() if "empty" in text
-    }
-    for field, by_patch in (
-        ("U", velocities), ("p", {".*": "type zeroGradient;", **empty}),
-    ):
-        path = case.path/"0"/field
-        head = path.read_text().split("boundaryField", 1)[0]
-        entries = "".join(
-            f'"{patch}" {{ {text} }}\n' for patch, text in by_patch.items()
-        )
-        path.write_text(f"{head}boundaryField\n{{\n{entries}}}\n")
 
 
 def box(folder, belt, name=None):
@@ -69,11 +54,7 @@ BELTS = {
 ])
 def test_ball_on_a_belt_slides_until_it_rolls(kind, ranks, tmp_path):
     case = box(tmp_path, BELTS[kind])
-    case.path.joinpath("constant/g").write_text(
-        "FoamFile { version 2.0; format ascii;"
-        " class uniformDimensionedVectorField; object g; }\n"
-        "dimensions [0 1 -2 0 0 0 0]; value (0 -10 0);\n"
-    )
+    case.gravity(y=-10)
     case.bodies(
         ball(position="(0 -0.5 0)"),
         "contact { type softSphere; restitution 0.5; friction 0.3;"

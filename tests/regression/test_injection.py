@@ -170,22 +170,6 @@ def test_a_body_waits_until_there_is_room(tubes, tmp_path):
     assert log.count("Body seeds2 waits: no room where it is to enter") == 1
 
 
-def results(case, ranks):
-    """Files of the last time without their headers, by their names.
-
-    The name of the time, a sum of time steps, may differ in the last digit.
-    """
-    folders = ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
-    contents = {}
-    for folder in folders:
-        time = case.path / folder / case.latest_time(folder)
-        for file in time.rglob("*"):
-            if file.is_file() and file.name != "time":
-                name = f"{folder}/{file.relative_to(time)}"
-                contents[name] = file.read_bytes().split(b"// * *", 1)[1]
-    return contents
-
-
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("adjust", ["no", "yes"])
 def test_restart_is_exact(adjust, ranks, tubes, tmp_path):
@@ -211,7 +195,7 @@ def test_restart_is_exact(adjust, ranks, tubes, tmp_path):
         in_parts.controls(endTime=time)
         in_parts.solve(ranks)
 
-    expected, obtained = results(at_once, ranks), results(in_parts, ranks)
+    expected, obtained = at_once.results(ranks), in_parts.results(ranks)
     assert sorted(obtained) == sorted(expected)
     assert [f for f in expected if obtained[f] != expected[f]] == []
 

@@ -9,8 +9,7 @@ import refusals
 import roundTube
 from bodyCase import BodyCase
 from boxMesh import uniform
-from test_walls import rough_profile, steps
-from wallFlow import CASE, WallFlow
+from wallFlow import CASE, WallFlow, rough_profile, steps
 
 WALLS = {"smooth": (None, 0), "rough": (2, 0), "driven": (2, 3)}
 

@@ -10,8 +10,7 @@ import boxMesh
 import refusals
 from bodyCase import BodyCase
 from boxMesh import uniform
-from test_contact import box2d, contact, discs
-from test_contact_walls import conditions
+from contactCase import box2d, conditions, contact, discs
 
 G = 10
 SLEEP = "sleep { speed 0.03; }"
@@ -24,11 +23,7 @@ EXACT = {
 def settling(folder, bodies, more=SLEEP, name=None, end=1, n=20):
     """Heavy bodies in a box, gravity downwards."""
     case = box2d(folder, n, name)
-    (case.path/"constant/g").write_text(
-        "FoamFile { version 2.0; format ascii;"
-        " class uniformDimensionedVectorField; object g; }\n"
-        f"dimensions [0 1 -2 0 0 0 0]; value (0 {-G} 0);\n"
-    )
+    case.gravity(y=-G)
     case.bodies(bodies, contact(e=0.3) + more)
     case.controls(endTime=end, deltaT=0.005)
     return case

@@ -83,49 +83,96 @@ def test_a_restart_within_a_halved_step_is_exact(tube, tmp_path):
             assert obtained == expected, name
 
 
+NUT = """FoamFile
+{
+    version 2.0; format ascii; class volScalarField; object nut;
+}
+dimensions      [0 2 -1 0 0 0 0];
+internalField   uniform 0;
+boundaryField
+{
+    frontAndBack { type empty; }
+    ".*" { type zeroGradient; }
+}
+"""
+SMAGORINSKY = """LES;
+LES
+{
+    LESModel Smagorinsky; turbulence on; printCoeffs off; delta cubeRootVol;
+    cubeRootVolCoeffs { deltaCoeff 2; }
+}
+"""
+
+
+def first_pieces(repeated, folder, deltaT):
+    """The case after its first step, which is repeated, and after one that is
+    as short from the start; with the time of its end."""
+    repeated.controls(
+        endTime=deltaT, deltaT=deltaT, writeControl="timeStep",
+        writeInterval=1, timePrecision=12,
+    )
+    new = BodyCase(repeated, folder, "new")
+    pieces = dict(re.findall(
+        r"Time = (\S+), repeated with deltaT = (\S+)", repeated.solve()
+    ))
+    first = repeated.times()[1]
+    new.controls(deltaT=pieces[first], endTime=first)
+    assert ", repeated with" not in new.solve()
+    return repeated, new, first
+
+
+def same(cases, first, *fields):
+    for name in fields:
+        obtained, expected = (case.field(name, first) for case in cases)
+        assert np.ptp(expected) > 0
+        assert obtained == pytest.approx(
+            expected, rel=1e-8, abs=1e-8*np.abs(expected).max()
+        ), name
+
+
 def test_a_repeated_step_begins_as_a_new_one(tube, tmp_path):
     """With what is no old level of a field in time: a viscosity that depends on
     the flow, and the gradients along ends under traction."""
     deltaT = 0.14
-    repeated = prepare(tube, tmp_path, 3, deltaT)
+    case = prepare(tube, tmp_path, 3, deltaT)
     sides = """
         "inlet|outlet" {{ type fixedTraction{}; }}
         walls {{ type {}; }}
         frontAndBack {{ type empty; }}
     """
-    repeated.conditions(
+    case.conditions(
         sides.format("Velocity; traction (0 0 0)", "noSlip"),
         sides.format("Pressure", "zeroGradient"),
     )
-    repeated.replace(
+    case.replace(
         "constant/transportProperties", "Newtonian;", "powerLaw; "
         "powerLawCoeffs { k 1e-3; n 0.7; nuMin 1e-5; nuMax 1; }",
     )
-    repeated.replace(
+    case.replace(
         "system/fvSchemes", "div(phi,U)          Gauss linear;",
         "div(phi,U)          Gauss linear;\n"
         "    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
     )
-    repeated.controls(
-        libs="(grainFvPatchFields)", endTime=deltaT, writeControl="timeStep",
-        writeInterval=1, timePrecision=12,
-    )
-    new = BodyCase(repeated, tmp_path, "new")
-    log = repeated.solve()
-    pieces = dict(
-        re.findall(r"Time = (\S+), repeated with deltaT = (\S+)", log)
-    )
-    first = repeated.times()[1]
+    case.controls(libs="(grainFvPatchFields)")
+    *cases, first = first_pieces(case, tmp_path, deltaT)
+    same(cases, first, "U", "p", "nu")
 
-    new.controls(deltaT=pieces[first], endTime=first)
-    assert ", repeated with" not in new.solve()
 
-    for name in ("U", "p", "nu"):
-        expected = new.field(name, first)
-        assert np.ptp(expected) > 0
-        assert repeated.field(name, first) == pytest.approx(
-            expected, rel=1e-8, abs=1e-8*np.abs(expected).max()
-        ), name
+def test_a_repeated_step_begins_with_the_old_eddy_viscosity(tube, tmp_path):
+    """Which the momentum equation has, and the model sets anew after it."""
+    deltaT = 0.28
+    case = prepare(tube, tmp_path, 3, deltaT)
+    case.replace(
+        "constant/turbulenceProperties", "laminar;", SMAGORINSKY
+    )
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear;",
+        "div(phi,U)          Gauss linear;\n"
+        "    div((nuEff*dev2(T(grad(U))))) Gauss linear;",
+    )
+    (case.path / "0/nut").write_text(NUT)
+    *cases, first = first_pieces(case, tmp_path, deltaT)
+    same(cases, first, "U", "p", "nut")
 
 
 def test_a_run_that_cannot_go_on_stops_with_its_state(tube, tmp_path):

@@ -8,7 +8,7 @@ import pytest
 
 import refusals
 from bodyCase import BodyCase
-from boxMesh import uniform
+from boxMesh import around, uniform
 from endCase import EndCase
 
 RADIUS = 0.065
@@ -23,15 +23,10 @@ NORMAL = {"Q": 1/9, "V": 0.083157, "empty": 1/12}
 FIXED = "constraints { translate (0 0 0); rotate (0 0 0); }"
 
 
-def around(half_width, h):
-    n = round(half_width/h)
-    return -n*h, n*h
-
-
 def tube(folder, name, tangential="free", h=0.1, h_end=0.04, more=""):
     """Coarse mesh, without a body."""
     case = EndCase(
-        folder, name, h, (around(1, h), around(0.2, h)), h_end, 0.5,
+        folder, name, h, (around(0, 1, h), around(0, 0.2, h)), h_end, 0.5,
         tangential=tangential, more=more,
     )
     (case.path / "constant/immersedBodyProperties").unlink()
@@ -60,7 +55,7 @@ def disc(case, more, window=True):
     ("free", FULL, 3e-3), ("zero", NORMAL, 1e-3),
 ])
 def test_free_disc(tangential, reference, tolerance, tmp_path):
-    core = around(4*RADIUS, H)
+    core = around(0, 4*RADIUS, H)
     case = EndCase(tmp_path, "disc", H, (core, core), 0.02, 0.5,
                    tangential=tangential)
     disc(case, "velocity ambient; constraints { translate (1 0 0); }")
@@ -89,7 +84,8 @@ def test_empty_channel(solver, tangential, reference, tolerance, tmp_path):
 @pytest.mark.parametrize("nu_dt", [1e-3, 1, 100])
 def test_any_time_step_is_stable(nu_dt, tmp_path):
     """nu dt from 1e-2 to 1e5 squares of the smallest cells, F in steps."""
-    case = EndCase(tmp_path, "steps", 0.1, (around(1, 0.1), around(0.2, 0.1)),
+    case = EndCase(tmp_path, "steps", 0.1,
+                   (around(0, 1, 0.1), around(0, 0.2, 0.1)),
                    0.04, 0.5)
     dt = nu_dt/0.5
     case.conditions(
@@ -164,7 +160,7 @@ def test_backflow_at_high_reynolds_number(tmp_path):
 @pytest.mark.parametrize("start, end", [(-2.95, -2.6), (2.6, 2.95)])
 def test_a_body_crosses_an_end(start, end, tmp_path):
     case = EndCase(tmp_path, "cross", 0.05,
-                   (around(2, 0.05), around(0.4, 0.05)), 0.05, 0.5)
+                   (around(0, 2, 0.05), around(0, 0.4, 0.05)), 0.05, 0.5)
     case.bodies(f"""disc
     {{
         shape {{ type disc; radius 0.2; }}

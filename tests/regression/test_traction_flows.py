@@ -9,8 +9,7 @@ import pytest
 
 import roundTube
 from boxMesh import uniform
-from test_walls import NU, steps
-from wallFlow import CASE, WallFlow, channel, turned, vector
+from wallFlow import CASE, NU, WallFlow, channel, steps, turned, vector
 
 RHO = 1.2
 

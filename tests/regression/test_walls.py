@@ -6,9 +6,11 @@ import pytest
 
 import roundTube
 from boxMesh import uniform
-from wallFlow import CASE, WallFlow, annulus, channel, order, turned, vector
+from wallFlow import (
+    CASE, NU, WallFlow, annulus, channel, order, rough_profile, steps, turned,
+    vector,
+)
 
-NU = 0.5
 ROTATIONS = {
     "2D": (turned(33), False),
     "3D": (turned(50, (1, 2, 3)), True),
@@ -22,18 +24,6 @@ def rough(case, rotation, a, K, walls=("top", "bottom")):
             wall, f"type robinVelocity; a {a:.16g}; "
             f"K {vector(rotation @ (K, 0, 0))};",
         )
-
-
-def steps(case, n, dt):
-    """Make n time steps dt."""
-    case.set("system/controlDict", "deltaT", dt)
-    case.set("system/controlDict", "endTime", f"{n*dt:g}")
-    case.set("system/controlDict", "writeInterval", n)
-
-
-def rough_profile(y, a, K, Q):
-    """Undisturbed flow of flow rate Q between rough walls y = -1 and 1."""
-    return (6*K - 3*a*Q)/(4*(3 + a))*(y**2 - 1) + (2*K + 3*Q)/(2*(3 + a))
 
 
 def drive(a, K, Q):

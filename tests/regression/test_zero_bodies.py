@@ -46,19 +46,6 @@ def prepare(variant, ranks, folder):
     return case
 
 
-def results(case, ranks):
-    """Contents of all files of the last time, by their names."""
-    folders = ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
-    time = case.latest_time(folders[0])
-    assert float(time) > 0
-    return {
-        str(file.relative_to(case.path)): file.read_bytes()
-        for folder in folders
-        for file in (case.path / folder / time).rglob("*")
-        if file.is_file()
-    }
-
-
 @pytest.fixture(scope="module")
 def stock(tmp_path_factory):
     """pimpleFoam's results, computed once per variant and number of ranks."""
@@ -69,7 +56,7 @@ def stock(tmp_path_factory):
         if key not in cache:
             case = prepare(variant, ranks, tmp_path_factory.mktemp("stock"))
             case.run("pimpleFoam", ranks=ranks)
-            cache[key] = results(case, ranks)
+            cache[key] = case.results(ranks, headers=True)
         return cache[key]
 
     return get
@@ -85,7 +72,7 @@ def test_fields_are_those_of_pimpleFoam(
     case.run("foamRun", "-solver", solver, ranks=ranks)
 
     expected = stock(variant, ranks)
-    obtained = results(case, ranks)
+    obtained = case.results(ranks, headers=True)
 
     assert sorted(obtained) == sorted(expected)
     assert [f for f in expected if obtained[f] != expected[f]] == []
@@ -99,7 +86,7 @@ def test_restart_is_that_of_pimpleFoam(solver, tmp_path):
         case.run(*run)
         case.set("system/controlDict", "endTime", 0.5)
         case.run(*run)
-        cases.append(results(case, 1))
+        cases.append(case.results(headers=True))
 
     assert cases[0] == cases[1]
 

@@ -18,6 +18,7 @@ from boxMesh import HEADER
 from foamCase import FoamCase
 
 CASE = Path(__file__).parent / "cases" / "channel"
+NU = 0.5
 
 CORNERS = [
     (x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))
@@ -177,3 +178,15 @@ def order(errors):
     """Order of convergence between meshes of twice the cells."""
     errors = np.array(errors)
     return np.log2(errors[:-1]/errors[1:])
+
+
+def steps(case, n, dt):
+    """Make n time steps dt."""
+    case.set("system/controlDict", "deltaT", dt)
+    case.set("system/controlDict", "endTime", f"{n*dt:g}")
+    case.set("system/controlDict", "writeInterval", n)
+
+
+def rough_profile(y, a, K, Q):
+    """Undisturbed flow of flow rate Q between rough walls y = -1 and 1."""
+    return (6*K - 3*a*Q)/(4*(3 + a))*(y**2 - 1) + (2*K + 3*Q)/(2*(3 + a))

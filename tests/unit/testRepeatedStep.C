@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "testTools.H"
+#include "boxMesh.H"
+#include "immersedBodies.H"
+
+using namespace Foam;
+using testTools::dict;
+
+
+TEST_CASE("A repeated time step begins with the cell sizes of the first attempt")
+{
+    const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+
+    // The cells grow along x
+    box.x = {{
+        testTools::graded(8, 1, 1.3),
+        testTools::graded(8, 1, 1),
+        testTools::graded(8, 1, 1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+
+    const std::unique_ptr<fvMesh> mesh(box.make(time));
+
+    // Half a metre in the step
+    immersedBodies bodies
+    (
+        *mesh,
+        dict
+        (
+            "bodies { grain { shape { type sphere; radius 0.01; }"
+            " densityRatio 2; position (0.2 0.51 0.52); velocity (5 0 0);"
+            " coupling unresolved; } }"
+        )
+    );
+    const scalar before = bodies.cellsPerWidth(0);
+
+    bodies.beginStep();
+    bodies.predict(false);
+    CHECK(bodies.cellsPerWidth(0) < 0.7*before);
+
+    bodies.undoStep();
+    CHECK(bodies.cellsPerWidth(0) == before);
+    CHECK(bodies[0].state().position == vector(0.2, 0.51, 0.52));
+}
