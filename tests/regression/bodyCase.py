@@ -49,6 +49,7 @@ class BodyCase(FoamCase):
         else:
             super().__init__(CASES / kind, tmp_path, name)
             self.kind = kind
+        self.read = {}
 
     def mesh(self, x, y, z=None):
         """Make the mesh and the initial velocity; returns number of cells."""
@@ -139,9 +140,18 @@ class BodyCase(FoamCase):
         """The .dat files of a function object by the times of their start."""
         return tables.table_files(self.path, name, TABLES[name])
 
+    def columns(self, name):
+        """The same for all bodies, read once per run."""
+        states = [(file, file.stat()) for file in self.table_files(name)]
+        key = [(file, s.st_mtime_ns, s.st_size) for file, s in states]
+        if self.read.get(name, (None,))[0] != key:
+            columns = tables.run_columns(self.path, name, TABLES[name])
+            self.read[name] = key, columns
+        return self.read[name][1]
+
     def table(self, name, body=0):
         """Columns of a table by their names without units, for one body."""
-        columns = tables.run_columns(self.path, name, TABLES[name])
+        columns = self.columns(name)
         rows = columns["body"] == body
         return {c: values[rows] for c, values in columns.items() if c != "name"}
 

@@ -11,9 +11,6 @@ import pytest
 
 import foamCase
 
-# Files with tests of 10 s or more begin, that none of these runs alone at the end
-LONGEST = ()
-
 
 def pytest_addoption(parser):
     parser.addoption(
@@ -47,13 +44,12 @@ def pytest_collection_modifyitems(config, items):
 
     if not config.pluginmanager.hasplugin("xdist"):
         return
-    # In one process what is made once per file, wherever the others
+    # In one process what is made once per file, and these first: the others
+    # fill up the ends
     for item in items:
         if shares(item):
             item.add_marker(pytest.mark.xdist_group(item.path.stem))
-    items.sort(key=lambda item: (
-        item.path.stem not in LONGEST, not shares(item)
-    ))
+    items.sort(key=lambda item: not shares(item))
 
 
 @pytest.fixture(scope="session", autouse=True)

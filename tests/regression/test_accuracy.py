@@ -21,6 +21,8 @@ def figures():
     """Table of all figures, written at the end."""
     lines = []
     yield lines
+    if not lines:
+        return
     width = max(len(line[0]) for line in lines)
     head = f"{'case':<{width}}  {'measured':>12}  {'reference':>12}  " \
         "error %  within %    run s"

@@ -51,7 +51,8 @@ def test_films_are_the_same_on_two_ranks(film, tmp_path):
     for body in range(3):
         a, b = (c.table("motion", body) for c in (whole, two))
         for column in ("position_y", "velocity_y", "angularVelocity_z"):
-            assert b[column] == pytest.approx(a[column], abs=2e-3)
+            # The linear solvers' errors, which films make larger: 3e-4
+            assert b[column] == pytest.approx(a[column], abs=6e-4)
     # The wall slows it down before it touches
     speed = whole.table("motion", 0)["velocity_y"]
     assert speed[-1] > 0.3*speed[0]

@@ -204,7 +204,9 @@ def test_restart_is_exact(adjust, ranks, tubes, tmp_path):
     assert "waits" in (at_once.path / "log.foamRun").read_text()
 
 
-@pytest.mark.parametrize("ranks", [2, 4])
+@pytest.mark.parametrize(
+    "ranks", [2, pytest.param(4, marks=pytest.mark.nightly)]
+)
 def test_any_number_of_ranks_gives_the_same(ranks, tubes, tmp_path):
     cases = []
     for n in (1, ranks):

@@ -122,9 +122,10 @@ def test_motion_is_consistent(run):
     )
     assert np.abs(np.diff(angle)).min() > 1e-4
 
-    # Started with the profile 1.5 (1 - y^2), half its vorticity 1.5 y
-    assert free["velocity_x"][0] == pytest.approx(1.365, rel=0.1)
-    assert spin[0] == pytest.approx(-0.45, rel=0.2)
+    # Started with the profile 1.5 (1 - y^2), half its vorticity 1.5 y. After a
+    # step beside the other discs it is 3 and 4 % faster.
+    assert free["velocity_x"][0] == pytest.approx(1.365, rel=0.06)
+    assert spin[0] == pytest.approx(-0.45, rel=0.08)
 
     assert set(fixed["position_x"]) == {1.13}
     assert not np.any(fixed["velocity_x"])

@@ -94,7 +94,8 @@ def test_outer_iterations(tube, tmp_path):
         "coupling { nOuterCorrectors 30; tolerance 1e-9; }",
     )
     for column in ("velocity_x", "angularVelocity_z"):
-        same(few, many, "motion", (column,), 1e-3)
+        # Few: converged to 1e-4 of the speed
+        same(few, many, "motion", (column,), 3e-4)
 
 
 def test_bands(tube, tmp_path):
@@ -116,7 +117,8 @@ def test_bands(tube, tmp_path):
     )
     for column in ("velocity_x", "velocity_y", "angularVelocity_z"):
         v, w = (c.table("motion")[column][-1] for c in (few, many))
-        assert v == pytest.approx(w, abs=1e-3), column
+        # As without bands
+        assert v == pytest.approx(w, abs=2e-4), column
 
 
 NOTHING = """

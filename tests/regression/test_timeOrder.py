@@ -32,5 +32,6 @@ def test_backward_is_of_second_order(make, steps, tmp_path):
 
 
 def test_euler_is_of_first_order(tmp_path):
-    found = orders(tmp_path, disc_case, "Euler", 10)
-    assert all(0.5 < order < 1.3 for order in found.values()), found
+    # 0.92 to 1.05; with twice as many steps 0.96 to 1.03
+    found = orders(tmp_path, disc_case, "Euler", 20)
+    assert all(0.85 < order < 1.1 for order in found.values()), found

@@ -171,9 +171,11 @@ def test_a_body_crosses_an_end(start, end, tmp_path):
     case.controls(endTime="1", deltaT="0.02", writeInterval="0.1")
     case.solve()
     for time in case.times()[1:]:
-        assert np.abs(case.field("U", time)).max() < 1
+        # The largest without a body is 0.5
+        assert np.abs(case.field("U", time)).max() < 0.55
     forces = case.table("forces")["fluidForce_x"][5:]
-    assert np.abs(np.diff(forces)).max() < 0.2*np.abs(forces).max()
+    # From step to step by 3 and 5 % at most, where it leaves
+    assert np.abs(np.diff(forces)).max() < 0.1*np.abs(forces).max()
 
 
 WRONG = {

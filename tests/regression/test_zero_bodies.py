@@ -47,14 +47,28 @@ def prepare(variant, ranks, folder):
 
 
 @pytest.fixture(scope="module")
-def stock(tmp_path_factory):
+def prepared(tmp_path_factory):
+    """The cases, each made once."""
+    cache = {}
+
+    def get(variant, ranks):
+        key = variant, ranks
+        if key not in cache:
+            cache[key] = prepare(*key, tmp_path_factory.mktemp("prepared"))
+        return cache[key]
+
+    return get
+
+
+@pytest.fixture(scope="module")
+def stock(prepared, tmp_path_factory):
     """pimpleFoam's results, computed once per variant and number of ranks."""
     cache = {}
 
     def get(variant, ranks):
         key = variant, ranks
         if key not in cache:
-            case = prepare(variant, ranks, tmp_path_factory.mktemp("stock"))
+            case = prepared(*key).copy(tmp_path_factory.mktemp("stock"), "case")
             case.run("pimpleFoam", ranks=ranks)
             cache[key] = case.results(ranks, headers=True)
         return cache[key]
@@ -66,9 +80,9 @@ def stock(tmp_path_factory):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_fields_are_those_of_pimpleFoam(
-    variant, ranks, solver, stock, tmp_path
+    variant, ranks, solver, prepared, stock, tmp_path
 ):
-    case = prepare(variant, ranks, tmp_path)
+    case = prepared(variant, ranks).copy(tmp_path, "case")
     case.run("foamRun", "-solver", solver, ranks=ranks)
 
     expected = stock(variant, ranks)

@@ -8,7 +8,7 @@ using namespace Foam;
 using testTools::dict;
 
 
-TEST_CASE("A repeated time step begins with the cell sizes of the first attempt")
+TEST_CASE("A repeated time step begins with the cell sizes that it had")
 {
     const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
     testTools::boxMesh box;
