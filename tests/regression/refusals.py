@@ -26,7 +26,7 @@ class Refusal:
     def names(self, *parts, steps=0):
         """The run was refused, with these texts in the message, before its
         first time step or within so many."""
-        assert self.status == 1, self.log[-2000:]
+        assert self.status != 0, self.log[-2000:]
         assert "FOAM FATAL" in self.log
         assert self.log.count("\nTime = ") <= steps
         assert self.case.times() == ["0"]

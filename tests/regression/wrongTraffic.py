@@ -24,7 +24,7 @@ TRAFFIC = {
         FILE, "bodies\n", "leaving { outlet { type delete; } }\nbodies\n",
         ["'type delete' in 'outlet'", "stop remove hold reinject", FILE],
     ),
-    "leaving in one word": (
+    "way of leaving in one word": (
         FILE, "bodies\n", "leaving { outlet remove; }\nbodies\n",
         ["'outlet' in 'leaving'", "'{ type remove; }'", FILE],
     ),
