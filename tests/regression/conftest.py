@@ -29,7 +29,7 @@ def pytest_configure(config):
 def shares(item):
     """Has the test something that others of its file need as well?"""
     return any(
-        fixture.baseid and fixture.scope != "function"
+        fixture.scope == "module"
         for fixtures in item._fixtureinfo.name2fixturedefs.values()
         for fixture in fixtures
     )
