@@ -26,6 +26,7 @@ END_TO_END = [
     "a plane without a normal",
     "steady state",
     "solver",
+    "a radius beyond all bounds",
 ]
 
 DISC = "{ type disc; radius 0.25; }"

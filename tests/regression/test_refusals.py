@@ -7,7 +7,7 @@ import pytest
 from bodyCase import GRAVITY, BodyCase
 from boxMesh import uniform
 from foamCase import FoamError
-from wrongEntries import FILE
+from wrongText import FILE
 
 DRIVE = """FoamFile { version 2.0; format ascii; class dictionary;
     object fvOptions; }

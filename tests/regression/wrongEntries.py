@@ -2,6 +2,7 @@
 """Wrong entries of the case tube, and what the message about them says."""
 
 from wrongMotions import MOTIONS
+from wrongSettings import SETTINGS
 from wrongText import BODY, FILE
 from wrongTraffic import TRAFFIC
 
@@ -172,5 +173,6 @@ WRONG = {
     ),
 
     **MOTIONS,
+    **SETTINGS,
     **TRAFFIC,
 }
