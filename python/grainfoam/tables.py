@@ -143,6 +143,10 @@ def table_files(case, function_object, table=None):
     """The files of a table, in the order of the starts of the parts of the run.
     Without a name of the table: of the only one that there is."""
     folder = pathlib.Path(case)/"postProcessing"/function_object
+    if not folder.is_dir():
+        there = sorted(f.name for f in folder.parent.glob("*") if f.is_dir())
+        raise TableError(f"{folder} is not there; of function objects there"
+                         f" are: {' '.join(there) or 'none'}")
     if table is None:
         tables = sorted({re.sub(rf"_{re.escape(f.parent.name)}$", "", f.stem)
                          for f in folder.glob("*/*.dat")})

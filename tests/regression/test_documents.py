@@ -105,7 +105,8 @@ def guide():
 def messages():
     """Texts of the sources, without what divides them into lines."""
     text = "\n".join(
-        file.read_text() for file in files("src", ".C", ".H")
+        file.read_text() for folder in ("src", "applications")
+        for file in files(folder, ".C", ".H")
     )
     return re.sub(r'"\s*(?:<<\s*)?"', "", text)
 

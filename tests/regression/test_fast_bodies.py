@@ -39,7 +39,7 @@ def test_the_step_is_halved(motion, tube):
 
     log = tube.solve()
 
-    assert "times the cells that it may" in log
+    assert "times as far as it may" in log
     assert "repeated with deltaT" in log
     assert "\nTime = 0.02" in log
 

@@ -71,3 +71,11 @@ def test_the_former_flux_does_not_count_in_bodies(tmp_path):
     new = first_step(tmp_path, "new", "Euler", 0)
     late = first_step(tmp_path, "late", "Euler", STEPS)
     assert late == pytest.approx(new, rel=1e-9)
+
+
+def test_a_run_at_its_end_says_so(tmp_path):
+    case = BodyCase("tube", tmp_path)
+    case.mesh(uniform(-1, 1, 10), uniform(-1, 1, 10))
+    case.controls(endTime="0", deltaT=DT)
+    log = case.run("foamRun")
+    assert "No time step is made: the run is at 0 s, and 'endTime'" in log

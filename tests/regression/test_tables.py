@@ -87,7 +87,7 @@ def test_no_rows(tmp_path):
 @pytest.mark.parametrize("arguments, message", [
     (("motion",), "which table? It has m n"),
     (("motion", "o"), "has no table o"),
-    (("motions",), "which table? It has none"),
+    (("motions",), "motions is not there; of function objects there are"),
 ])
 def test_missing_tables_are_named(tmp_path, arguments, message):
     for name in "mn":
@@ -118,3 +118,9 @@ def test_frame_with_pandas(tmp_path):
     assert isinstance(table, pandas.DataFrame)
     assert table[table.name == "grain1"].time.tolist() == [1, 2]
     assert table.attrs["units"] == {"time": "s", "position_x": "m"}
+
+
+def test_a_folder_that_is_not_there_is_answered_with_those_that_are(tmp_path):
+    write(tmp_path, "motion/0/m.dat", MOTION + rows(1))
+    with pytest.raises(tables.TableError, match="there are: motion"):
+        tables.run_columns(tmp_path, "bodies")

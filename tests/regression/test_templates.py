@@ -53,6 +53,12 @@ def test_a_copy_runs(tmp_path, name, arguments):
     surfaces = case/"postProcessing/immersedBodySurfaces"
     assert (surfaces/"bodies.vtp.series").exists()
 
+    # Not a second time over its results, which it would go on from
+    again = subprocess.run(
+        [case/"Allrun", *arguments], text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT)
+    assert again.returncode != 0 and "./Allclean" in again.stdout
+
     subprocess.run([case/"Allclean"], check=True)
     left = {p.name for p in case.iterdir()}
     assert {"0", "Allrun"} <= left <= {

@@ -75,6 +75,16 @@ SETTINGS = {
         ["Numbers overflow", "before the first time step"],
     ),
 
+    "coefficients of a wall": (
+        FILE, "bodies\n", "contact { type softSphere;"
+        " walls { walls { friction 0.1; } } }\nbodies\n",
+        ["'walls' in 'walls' must be the name of a material", "'pairs'", FILE],
+    ),
+    "material of a wall without any": (
+        FILE, "bodies\n", "contact { type softSphere;"
+        " walls { walls glass; } }\nbodies\n",
+        ["'material glass'", "'pairs' or 'materials' of 'contact'", FILE],
+    ),
     "no viscosity": (
         "constant/transportProperties", "0.5;", "0;",
         ["'nu'", "is 0 and must be greater than 0",

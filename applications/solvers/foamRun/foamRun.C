@@ -77,6 +77,13 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
+    if (!runTime.run())
+    {
+        Info<< "No time step is made: the run is at " << runTime.timeName()
+            << " s, and 'endTime' in system/controlDict is "
+            << runTime.endTime().value() << " s" << nl << endl;
+    }
+
     while (runTime.run())
     {
         solver.preSolve();

@@ -33,6 +33,13 @@ Foam::contactMaterials::contactMaterials
     walls_ = dict.subOrEmptyDict("walls");
     for (const entry& e : walls_)
     {
+        if (e.isDict())
+        {
+            FatalIOErrorInFunction(walls_)
+                << "'" << e.keyword() << "' in 'walls' must be the name of a"
+                << " material: its restitution and friction are entries of"
+                << " 'pairs'" << nl << exit(FatalIOError);
+        }
         number(e.get<word>(), walls_);
     }
 }
@@ -167,6 +174,13 @@ Foam::label Foam::contactMaterials::number
 {
     const label found = number(material);
 
+    if (found < 0 && !material.empty() && names_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'material " << material << "' needs entries for it in 'pairs'"
+            << " or 'materials' of 'contact', and there are none" << nl
+            << exit(FatalIOError);
+    }
     if (found < 0 && !material.empty())
     {
         Foam::keywords::refuse(dict, "material", material, names_);

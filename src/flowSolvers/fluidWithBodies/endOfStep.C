@@ -177,6 +177,7 @@ void Foam::flowSolvers::fluidWithBodies::check()
         }
         Info<< nl;
     }
+    Info<< "    gravity          " << bodies_.g() << nl;
     reportTraffic();
 
     Info<< "    cells in the bands of bodies: "

@@ -86,9 +86,10 @@ bool Foam::flowSolvers::immersedFluid::bodiesMoveTooFar() const
 
     if (tooFar)
     {
-        Info<< "A body would move through " << way() << " times the cells that"
-            << " it may in a time step, " << maxCells << " if resolved and "
-            << maxUnresolved << " if not" << endl;
+        Info<< "A body would move " << way() << " times as far as it may in"
+            << " this time step, through " << maxCells << " cells, or "
+            << maxUnresolved << " if it is not resolved: reduce 'deltaT'"
+            << endl;
     }
 
     return tooFar;
