@@ -111,7 +111,7 @@ def test_regular_injection(tubes, tmp_path):
     # The series has all times, those without bodies too
     folder = case.path / "postProcessing/surfaces"
     series = json.loads((folder / "bodies.vtp.series").read_text())["files"]
-    assert len(series) == 12
+    assert len(series) == 13
     for entry in series:
         n = sum(e.time < entry["time"] + 1e-9 for e in events)
         assert f"NumberOfVerts='{n}'" in (folder / entry["name"]).read_text()
