@@ -31,6 +31,7 @@ def box2d(folder, n, name=None):
             f"0/{field}", "boundaryField\n{",
             "boundaryField\n{\n    frontAndBack { type empty; }",
         )
+    case.gravity()
     case.run("blockMesh")
     return case
 
