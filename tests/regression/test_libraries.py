@@ -12,12 +12,12 @@ SRC = Path(__file__).resolve().parents[2]/"src"
 
 # Each may use those before it, and of the mesh what is said
 ORDER = (
-    "rigidBodies", "contact", "immersion", "unresolved", "traffic", "scene",
-    "linearSolvers", "fusedKernels", "fvPatchFields", "flowSolvers",
+    "rigidBodies", "contact", "LeesEdwards", "immersion", "unresolved",
+    "traffic", "scene", "linearSolvers", "fusedKernels", "fvPatchFields", "flowSolvers",
     "functionObjects", "seedDrill",
 )
 WITHOUT_MESH = ("rigidBodies", "contact")
-ON_TOP = ORDER[6:]
+ON_TOP = ORDER[7:]
 
 
 def sources():

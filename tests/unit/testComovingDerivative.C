@@ -88,8 +88,8 @@ public:
         regions_[0].update(bodies_[0], search_, bandWidth);
         frame.update
         (
-            regions_, bodies_, search_, scalarList(1, h), bandWidth, false,
-            nu, ddtCoefficients(scheme, 1, 1)
+            regions_, bodies_, search_, scalarList(1, h), bandWidth,
+            periodicity(), nu, ddtCoefficients(scheme, 1, 1)
         );
     }
 

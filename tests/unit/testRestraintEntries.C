@@ -98,7 +98,7 @@ TEST_CASE("Springs hold on in periodic meshes, windows and restarts",
 
     advance(body, "Euler", vector::zero, 0.1, 3);
     advance(wrapped, "Euler", vector::zero, 0.1, 3);
-    wrapped.wrap({-6, 0, 0});
+    wrapped.wrap({-6, 0, 0}, vector::zero, 0.1);
 
     // The state has where it began, whatever the dictionary says now
     OStringStream os;

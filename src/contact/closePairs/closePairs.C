@@ -33,12 +33,12 @@ void Foam::closePairs::add(const image& first, const image& second)
         // One of the two on opposite sides
         if (itself && leads(shift))
         {
-            pairs_.append(pair{a.body, b.body, shift});
+            pairs_.append(pair{a.body, b.body, shift, a.velocity + b.velocity});
         }
     }
     else if (a.shift == vector::zero)
     {
-        pairs_.append(pair{a.body, b.body, b.shift});
+        pairs_.append(pair{a.body, b.body, b.shift, b.velocity});
     }
 }
 
@@ -62,14 +62,14 @@ Foam::closePairs::closePairs
     {
         for
         (
-            const vector& shift
-          : periods.globalShifts(centres[i], radii[i] + largest)
+            const periodicity::image& im
+          : periods.globalImages(centres[i], radii[i] + largest)
         )
         {
-            images.append
-            (
-                image{i, shift, centres[i][along] + shift[along] - radii[i]}
-            );
+            const scalar lower =
+                centres[i][along] + im.shift[along] - radii[i];
+
+            images.append(image{i, im.shift, im.velocity, lower});
         }
     }
 

@@ -43,8 +43,10 @@ Foam::vector Foam::contactModels::softSphere::rollingVelocity
         const scalar la = mag(x - a.state.position);
         const scalar lb = mag(xb - b.state.position);
 
-        U += b.state.velocity(xb);
-        U -= 2*(lb*a.state.U + la*b.state.U)/(la + lb);
+        const vector Ub(b.state.U + c.velocity);
+
+        U += b.state.velocity(xb) + c.velocity;
+        U -= 2*(lb*a.state.U + la*Ub)/(la + lb);
     }
 
     return U - (U & n)*n;

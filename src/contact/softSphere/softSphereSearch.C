@@ -30,7 +30,9 @@ bool Foam::contactModels::softSphere::search
     }
 
     // One that is hit may go as far as the fastest
-    const scalar furthest = bodies.empty() ? 0 : 2*max(ways);
+    const scalar furthest = bodies.empty()
+      ? 0
+      : 2*max(ways) + dt*mag(periods.slideVelocity());
     scalarField reach(bodies.size());
 
     forAll(bodies, i)
@@ -54,7 +56,7 @@ bool Foam::contactModels::softSphere::search
             const label a = moverOf(bodies, numbers, p.a, dt);
             const label b = moverOf(bodies, numbers, p.b, dt);
 
-            addCandidate(bodies, h, a, b, p.shift);
+            addCandidate(bodies, h, a, b, p, dt);
         }
     }
 
@@ -62,9 +64,11 @@ bool Foam::contactModels::softSphere::search
     {
         if (bodies[i].isFree() && walls.beside(i))
         {
+            const closePairs::pair wall{i, -1, Zero, Zero};
+
             addCandidate
             (
-                bodies, h, moverOf(bodies, numbers, i, dt), -1, vector::zero
+                bodies, h, moverOf(bodies, numbers, i, dt), -1, wall, dt
             );
         }
     }
@@ -113,7 +117,8 @@ void Foam::contactModels::softSphere::addCandidate
     const UList<scalar>& h,
     const label a,
     const label b,
-    const vector& shift
+    const closePairs::pair& p,
+    const scalar dt
 )
 {
     const label bodya = movers_[a].body;
@@ -144,7 +149,13 @@ void Foam::contactModels::softSphere::addCandidate
         b < 0 ? -1 : bodies[bodyb].number()
     );
 
-    candidates_.append(candidate{a, b, shift, film, old_.find(numbers)});
+    // The sub-steps begin with the time step, where sliding images have been
+    const vector shift(p.shift - dt*p.velocity);
+
+    candidates_.append
+    (
+        candidate{a, b, shift, p.velocity, film, old_.find(numbers)}
+    );
 
     // Of which a candidate of images of the same two has the other part
     DynamicList<contactHistory::record>& records = candidates_.last().records;
@@ -193,7 +204,7 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
             const mover& b = movers_[c.b];
 
             inverseMass += cmptMax(b.inverseMass);
-            approach += speed(b);
+            approach += speed(b) + mag(c.velocity);
         }
 
         contactLaw::contact touch;
@@ -226,7 +237,7 @@ bool Foam::contactModels::softSphere::apart
     const scalar Ra = bodies[a.body].shape().boundingRadius();
     const scalar Rb = bodies[b.body].shape().boundingRadius();
     const scalar speed =
-        mag(a.state.U - b.state.U)
+        mag(a.state.U - b.state.U - c.velocity)
       + Ra*mag(a.state.omega) + Rb*mag(b.state.omega);
     const scalar reach =
         Ra + Rb + max(0.5*h*speed, lubrication_.range(c.film.cell));

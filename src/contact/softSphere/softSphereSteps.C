@@ -26,6 +26,11 @@ void Foam::contactModels::softSphere::drift
             m.inverseInertia = body.inverseInertia();
         }
     }
+
+    for (candidate& c : candidates_)
+    {
+        c.shift += h*c.velocity;
+    }
 }
 
 
@@ -40,7 +45,7 @@ Foam::vector Foam::contactModels::softSphere::relativeVelocity
 
     return c.b < 0
       ? vector(U - wallU)
-      : vector(U - movers_[c.b].state.velocity(x - c.shift));
+      : vector(U - c.velocity - movers_[c.b].state.velocity(x - c.shift));
 }
 
 

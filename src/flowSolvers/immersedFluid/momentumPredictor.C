@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "cellSearch.H"
 #include "comovingDerivative.H"
 #include "meshProperties.H"
 #include "profiling.H"
 
 namespace
 {
-    //- Values on the patches that are not coupled
+    //- Values on the patches whose faces are no faces between two cells
     Foam::scalarField patchValues(const Foam::volScalarField& field)
     {
         Foam::DynamicList<Foam::scalar> values;
 
         for (const Foam::fvPatchScalarField& patch : field.boundaryField())
         {
-            if (!patch.coupled())
+            if (!Foam::cellSearch::matched(patch.patch().patch()))
             {
                 values.append(patch);
             }

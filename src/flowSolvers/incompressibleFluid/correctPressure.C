@@ -11,6 +11,7 @@
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "fvmLaplacian.H"
+#include "LeesEdwardsFlux.H"
 #include "profiling.H"
 
 
@@ -58,11 +59,16 @@ Foam::flowSolvers::incompressibleFluid::predictFlux
     // The default is what the versions without this switch do
     if (pimple_.dict().lookupOrDefault("ddtCorr", true))
     {
-        phiHbyA +=
+        tmp<surfaceScalarField> tcorr
+        (
             MRF.zeroFilter
             (
                 fvc::interpolate(rAU)*fvc::ddtCorr(U_, phi_, Uf)
-            );
+            )
+        );
+
+        LeesEdwards::clear(mesh_, tcorr.ref());
+        phiHbyA += tcorr;
     }
 
     MRF.makeRelative(phiHbyA);

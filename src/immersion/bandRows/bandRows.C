@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bandRows.H"
+#include "cellSearch.H"
 
 void Foam::bandRows::addBoundary
 (
@@ -82,6 +83,17 @@ Foam::scalar Foam::bandRows::sweep(volVectorField& U, const bool back)
     }
 
     List<vectorField> beyond(U.boundaryField().size());
+
+    // On sliding patches they take all processors
+    forAll(beyond, patchi)
+    {
+        const fvPatchVectorField& patch = U.boundaryField()[patchi];
+
+        if (patch.coupled() && !cellSearch::matched(patch.patch().patch()))
+        {
+            beyond[patchi] = patch.patchNeighbourField();
+        }
+    }
 
     for (const coupledFace& face : coupled_)
     {

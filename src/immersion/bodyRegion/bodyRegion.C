@@ -17,16 +17,21 @@ namespace
 }
 
 
-Foam::bodyRegion::bodyRegion(const label bodyi, const vector& shift)
+Foam::bodyRegion::bodyRegion
+(
+    const label bodyi,
+    const periodicity::image& im
+)
 :
     body_(bodyi),
-    shift_(shift),
+    image_(im),
     searchCentre_(Zero),
     searchMargin_(-1),
     position_(point::max),
     orientation_(quaternion::zero),
     followed_(0),
-    same_(false)
+    same_(false),
+    slid_(false)
 {}
 
 
@@ -93,12 +98,24 @@ Foam::pointField Foam::bodyRegion::relative
 {
     pointField x(centres, labels);
 
-    if (shift_ != vector::zero)
+    if (image_.shift != vector::zero)
     {
-        x -= shift_;
+        x -= image_.shift;
     }
 
     return x;
+}
+
+
+void Foam::bodyRegion::slide(const periodicity::image& im)
+{
+    if (im.shift != image_.shift)
+    {
+        // Nothing of the last update is valid but the near cells
+        slid_ = true;
+        position_ = point::max;
+    }
+    image_ = im;
 }
 
 
@@ -270,6 +287,12 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     {
         this->search(body, search, bandWidth);
     }
+    else if (slid_)
+    {
+        nearCellCentres_ = relative(search.mesh().cellCentres(), nearCells_);
+        nearFaceCentres_ = relative(search.mesh().faceCentres(), nearFaces_);
+    }
+    slid_ = false;
 
     select
     (

@@ -2,6 +2,7 @@
 
 #include "cellSearch.H"
 #include "cyclicPolyPatch.H"
+#include "LeesEdwardsPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -19,12 +20,15 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
     hMax_(0),
     uniform_(false),
     boxes_(mesh.nCells()),
-    matched_(mesh.boundaryMesh().size()),
+    inside_(mesh.boundaryMesh().size()),
     faceMet_(mesh.nFaces())
 {
-    forAll(matched_, patchi)
+    forAll(inside_, patchi)
     {
-        matched_[patchi] = matched(mesh.boundaryMesh()[patchi]);
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+
+        inside_[patchi] =
+            matched(patch) || isA<LeesEdwardsPolyPatch>(patch);
     }
 
     forAll(h_, celli)
@@ -190,7 +194,7 @@ Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
         {
             const bool counts =
                 mesh_.isInternalFace(facei)
-             || matched_[patches.patchID()[facei - mesh_.nInternalFaces()]];
+             || inside_[patches.patchID()[facei - mesh_.nInternalFaces()]];
 
             if (counts && faceMet_.set(facei))
             {

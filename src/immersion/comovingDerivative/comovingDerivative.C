@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "comovingDerivative.H"
+#include "LeesEdwardsPolyPatch.H"
 #include "surfaceDisplacement.H"
 
 namespace
@@ -47,13 +48,23 @@ Foam::comovingDerivative::comovingDerivative
     neighbours_(neighbours),
     remap_(mesh, neighbours),
     ddt_("Euler", 1, 1),
-    active_(false)
-{}
+    active_(false),
+    onSliding_(mesh.nFaces())
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<LeesEdwardsPolyPatch>(patch))
+        {
+            onSliding_.set(labelRange(patch.start(), patch.size()));
+        }
+    }
+}
 
 
 void Foam::comovingDerivative::add
 (
     const immersedBody& body,
+    const vector& slide,
     const scalar bodyPart,
     const scalar end,
     const bool known,
@@ -66,6 +77,8 @@ void Foam::comovingDerivative::add
     const scalar fadeStart = fadeFrom*end;
     const surfaceDisplacement s0(body, body.oldState());
     const surfaceDisplacement s00(body, body.oldOldState());
+    const vector slide0(mesh_.time().deltaTValue()*slide);
+    const vector slide00(slide0 + mesh_.time().deltaT0Value()*slide);
 
     forAll(faces, i)
     {
@@ -73,7 +86,12 @@ void Foam::comovingDerivative::add
         const scalar hi = h(i);
         const scalar d = distance[i]/hi;
 
-        if (d >= end || (known && faceAt_[facei] < 0))
+        if
+        (
+            d >= end
+         || (known && faceAt_[facei] < 0)
+         || onSliding_.test(facei)
+        )
         {
             continue;
         }
@@ -90,7 +108,7 @@ void Foam::comovingDerivative::add
         // Like the resistance; the one of the nearer body counts
         const scalar fade = min((end - d)/(end - fadeStart), 1);
         const scalar weight = fade*Foam::exp(-2*max(d, scalar(-20)));
-        const vector move(s0(x[i]));
+        const vector move(s0(x[i]) + slide0);
 
         // No farther than a cell
         const scalar part =
@@ -98,7 +116,7 @@ void Foam::comovingDerivative::add
         const label at = faceAt_[facei];
 
         s0_[at] += part*move;
-        s00_[at] += part*s00(x[i]);
+        s00_[at] += part*(s00(x[i]) + slide00);
         weight_[at] += weight;
     }
 }
@@ -106,6 +124,7 @@ void Foam::comovingDerivative::add
 
 void Foam::comovingDerivative::addBand
 (
+    const label regioni,
     const bodyRegion& region,
     const immersedBody& body,
     const scalar bandWidth,
@@ -114,7 +133,8 @@ void Foam::comovingDerivative::addBand
 {
     add
     (
-        body, parts_[region.body()], min(bandWidth, maxBand), known,
+        body, region.slideVelocity(), parts_[regioni],
+        min(bandWidth, maxBand), known,
         region.faces, region.faceX, region.faceDistance,
         [&](const label i) { return region.faceH[i]; }
     );
@@ -140,48 +160,58 @@ void Foam::comovingDerivative::addFarther
     near.update(body, region.shift(), search, end*h);
     add
     (
-        body, parts_[region.body()], end, false,
+        body, region.slideVelocity(), parts_[regioni], end, false,
         near.faces, near.x, near.distance,
         [&](label) { return h; }
     );
 }
 
 
+Foam::scalar Foam::comovingDerivative::partOf
+(
+    const immersedBody& body,
+    const vector& slide,
+    const scalar h,
+    const scalar nu
+) const
+{
+    if (!body.resolved())
+    {
+        return 0;
+    }
+
+    // In the last time step, as iterations change that in this one; but in the
+    // first in which it moves there is no other
+    const vector last(farthest(body, body.oldOldState(), body.oldState()));
+    const vector V
+    (
+        mag(last) > 0
+      ? last/mesh_.time().deltaT0Value()
+      : farthest(body, body.oldState(), body.state())
+       /mesh_.time().deltaTValue()
+    );
+
+    return min(max((mag(V + cmptMag(slide))*h/nu - slow)/(fast - slow), 0), 1);
+}
+
+
 void Foam::comovingDerivative::findMoving
 (
+    const PtrList<bodyRegion>& regions,
     const PtrList<immersedBody>& bodies,
+    const periodicity& periods,
     const UList<scalar>& h,
     const scalar nu
 )
 {
     active_ = false;
     components_.clear();
-    parts_.resize(bodies.size());
 
-    // The same on all processors
+    // The same on all processors, whatever images these have
     forAll(bodies, bodyi)
     {
         const immersedBody& body = bodies[bodyi];
-
-        parts_[bodyi] = 0;
-
-        if (!body.resolved())
-        {
-            continue;
-        }
-
-        // In the last time step, as iterations change that in this one; but in
-        // the first in which it moves there is no other
-        const scalar last =
-            mag(farthest(body, body.oldOldState(), body.oldState()));
-        const scalar V = last > 0
-          ? last/mesh_.time().deltaT0Value()
-          : mag(farthest(body, body.oldState(), body.state()))
-           /mesh_.time().deltaTValue();
-
-        parts_[bodyi] =
-            min(max((V*h[bodyi]/nu - slow)/(fast - slow), 0), 1);
-
+        const vector& slide = periods.slideVelocity();
         const vector far
         (
             max
@@ -189,9 +219,11 @@ void Foam::comovingDerivative::findMoving
                 farthest(body, body.oldState(), body.state()),
                 farthest(body, body.oldOldState(), body.state())
             )
+          + mesh_.time().deltaTValue()*cmptMag(slide)
         );
+        const bool moves = partOf(body, slide, h[bodyi], nu) > 0;
 
-        for (direction k = 0; k < 3 && parts_[bodyi] > 0; ++k)
+        for (direction k = 0; k < 3 && moves; ++k)
         {
             if
             (
@@ -204,6 +236,18 @@ void Foam::comovingDerivative::findMoving
             }
         }
     }
+
+    parts_.resize(regions.size());
+
+    forAll(regions, i)
+    {
+        const label bodyi = regions[i].body();
+
+        parts_[i] = partOf
+        (
+            bodies[bodyi], regions[i].slideVelocity(), h[bodyi], nu
+        );
+    }
 }
 
 
@@ -214,7 +258,7 @@ void Foam::comovingDerivative::update
     const cellSearch& search,
     const UList<scalar>& h,
     const scalar bandWidth,
-    const bool images,
+    const periodicity& periods,
     const scalar nu,
     const ddtCoefficients& ddt
 )
@@ -226,7 +270,7 @@ void Foam::comovingDerivative::update
     weight_.clear();
     ddt_ = ddt;
 
-    findMoving(bodies, h, nu);
+    findMoving(regions, bodies, periods, h, nu);
 
     if (!active_)
     {
@@ -240,10 +284,10 @@ void Foam::comovingDerivative::update
     {
         const label bodyi = regions[i].body();
 
-        if (parts_[bodyi] > 0)
+        if (parts_[i] > 0)
         {
             const immersedBody& body = bodies[bodyi];
-            const scalar end = images
+            const scalar end = periods.active()
               ? 0
               : min(partOfWidth*body.shape().width()/h[bodyi], maxReach);
 
@@ -253,15 +297,15 @@ void Foam::comovingDerivative::update
             }
             else
             {
-                addBand(regions[i], body, bandWidth, false);
+                addBand(i, regions[i], body, bandWidth, false);
             }
         }
     }
-    for (const bodyRegion& region : regions)
+    forAll(regions, i)
     {
-        if (!(parts_[region.body()] > 0))
+        if (!(parts_[i] > 0))
         {
-            addBand(region, bodies[region.body()], bandWidth, true);
+            addBand(i, regions[i], bodies[regions[i].body()], bandWidth, true);
         }
     }
 
@@ -271,5 +315,11 @@ void Foam::comovingDerivative::update
         s00_[i] /= weight_[i];
     }
 
-    remap_.setFaces(faces_);
+    // Images that slide may be nowhere in the mesh
+    active_ = returnReduce(!faces_.empty(), orOp<bool>());
+
+    if (active_)
+    {
+        remap_.setFaces(faces_);
+    }
 }

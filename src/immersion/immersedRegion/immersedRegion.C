@@ -120,6 +120,7 @@ void Foam::immersedRegion::updateVelocity
     {
         const immersedBody& body = bodies[region.body()];
         const bodyState& state = body.state();
+        const vector U(state.U + region.slideVelocity());
         const rigidAcceleration acceleration(body.acceleration(ddt));
 
         forAll(region.cells, i)
@@ -129,7 +130,7 @@ void Foam::immersedRegion::updateVelocity
 
             if (region.resistance[i] > 0)
             {
-                KU_[celli] += region.resistance[i]*(state.U + (state.omega^r));
+                KU_[celli] += region.resistance[i]*(U + (state.omega^r));
             }
             if (region.share[i] > 0)
             {
@@ -140,10 +141,10 @@ void Foam::immersedRegion::updateVelocity
         forAll(region.faces, i)
         {
             const label facei = region.faces[i];
+            const vector r(region.faceX[i] - state.position);
 
             bodyFlux_[facei] +=
-                region.faceShare[i]
-               *(state.velocity(region.faceX[i]) & Sf[facei]);
+                region.faceShare[i]*((U + (state.omega^r)) & Sf[facei]);
         }
     }
 }

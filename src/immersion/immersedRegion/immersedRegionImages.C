@@ -5,21 +5,17 @@
 namespace
 {
 
-//- The region of a list that has the shift and body of another, -1 if none
-Foam::label findSame
+//- The region of a list for an image of a body, -1 if there is none
+Foam::label findFor
 (
     const Foam::PtrList<Foam::bodyRegion>& regions,
-    const Foam::bodyRegion& region
+    const Foam::label bodyi,
+    const Foam::periodicity::image& im
 )
 {
     forAll(regions, i)
     {
-        if
-        (
-            regions.set(i)
-         && regions[i].body() == region.body()
-         && regions[i].shift() == region.shift()
-        )
+        if (regions.set(i) && regions[i].isFor(bodyi, im))
         {
             return i;
         }
@@ -45,27 +41,12 @@ void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
         return;
     }
 
-    PtrList<bodyRegion> images(regions_.size());
-    label n = 0;
-    bool same = true;
-
-    auto append = [&](const label bodyi, const vector& shift)
-    {
-        autoPtr<bodyRegion> image(new bodyRegion(bodyi, shift));
-
-        same = same
-         && n < regions_.size()
-         && regions_[n].body() == bodyi
-         && regions_[n].shift() == shift;
-
-        images.resize(max(images.size(), n + 1));
-        images.set(n++, image);
-    };
-
-    forAll(bodies, bodyi)
-    {
-        append(bodyi, vector::zero);
-    }
+    // The bodies, then their images
+    DynamicList<label> of(identity(bodies.size()));
+    DynamicList<periodicity::image> images
+    (
+        bodies.size(), periodicity::image{Zero, Zero, Zero}
+    );
 
     forAll(bodies, bodyi)
     {
@@ -81,34 +62,59 @@ void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
 
         for
         (
-            const vector& shift
-          : periodicity_.localShifts(body.state().position, reach)
+            const periodicity::image& im
+          : periodicity_.localImages(body.state().position, reach)
         )
         {
-            if (shift != vector::zero)
+            if (im.key != vector::zero)
             {
-                append(bodyi, shift);
+                of.append(bodyi);
+                images.append(im);
             }
         }
     }
 
-    if (same && n == regions_.size())
+    setRegions(of, images);
+}
+
+
+void Foam::immersedRegion::setRegions
+(
+    const UList<label>& of,
+    const UList<periodicity::image>& images
+)
+{
+    bool same = of.size() == regions_.size();
+
+    for (label i = 0; i < of.size() && same; ++i)
     {
-        return;
+        same = regions_[i].isFor(of[i], images[i]);
     }
 
-    // What has been found for them stays valid
-    images.resize(n);
-
-    forAll(images, i)
+    if (!same)
     {
-        const label oldi = findSame(regions_, images[i]);
+        // What has been found for them stays valid
+        PtrList<bodyRegion> regions(of.size());
 
-        if (oldi >= 0)
+        forAll(regions, i)
         {
-            images.set(i, regions_.release(oldi));
+            const label oldi = findFor(regions_, of[i], images[i]);
+
+            if (oldi >= 0)
+            {
+                regions.set(i, regions_.release(oldi));
+            }
+            else
+            {
+                regions.set(i, new bodyRegion(of[i], images[i]));
+            }
         }
+
+        regions_.transfer(regions);
     }
 
-    regions_.transfer(images);
+    for (label i = 0; i < of.size() && periodicity_.sliding(); ++i)
+    {
+        regions_[i].slide(images[i]);
+    }
 }

@@ -138,13 +138,14 @@ void Foam::immersedRegion::addLoad
     const scalarField& V = mesh_.V();
     const scalarField& K = K_;
     const bodyState& state = body.state();
+    const vector moving(state.U + region.slideVelocity());
     const rigidAcceleration acceleration(body.acceleration(ddt));
 
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
         const vector r(region.x[i] - state.position);
-        const vector Ub(state.U + (state.omega^r));
+        const vector Ub(moving + (state.omega^r));
         vector q(region.share[i]*(gradP[celli] + acceleration(r)));
 
         if (region.resistance[i] > 0)
@@ -192,7 +193,7 @@ Foam::displacedFluid Foam::immersedRegion::fluidInside
             (
                 mesh_.V()[celli]*inside,
                 mesh_.cellCentres()[celli] - centre,
-                U[celli]
+                U[celli] - region.slideVelocity()
             );
         }
     }

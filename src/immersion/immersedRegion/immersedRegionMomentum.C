@@ -2,6 +2,7 @@
 
 #include "immersedRegion.H"
 #include "cyclicPolyPatch.H"
+#include "LeesEdwardsFlux.H"
 #include "profiling.H"
 #include "syncTools.H"
 
@@ -121,6 +122,7 @@ void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
     }
 
     equaliseCyclic(phi);
+    LeesEdwards::equalise(mesh_, phi);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "meshProperties.H"
 #include "cyclicPolyPatch.H"
+#include "LeesEdwardsPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
 #include "SubField.H"
 
@@ -61,12 +62,14 @@ void checkCoupled(const polyBoundaryMesh& patches)
             isA<coupledPolyPatch>(patch)
          && !isA<cyclicPolyPatch>(patch)
          && !isA<processorPolyPatch>(patch)
+         && !isA<LeesEdwardsPolyPatch>(patch)
         )
         {
             FatalIOErrorInFunction(patches.objectPath())
                 << "Immersed bodies need coupled patches that match face by"
                 << " face, and '" << patch.name() << "' is of the type '"
-                << patch.type() << "': allowed is 'type cyclic'" << nl
+                << patch.type() << "': allowed are 'type cyclic' and 'type "
+                << LeesEdwardsPolyPatch::typeName << "'" << nl
                 << exit(FatalIOError);
         }
     }
@@ -80,6 +83,23 @@ Foam::periodicity Foam::meshProperties::periods(const polyMesh& mesh)
     periodicity result;
 
     checkCoupled(mesh.boundaryMesh());
+
+    if (const slidingPair* pair = LeesEdwardsPolyPatch::findPair(mesh))
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[pair->patchIndex()];
+        const point onPatch(gSum(patch.faceCentres())/returnReduce
+        (
+            patch.size(), sumOp<label>()
+        ));
+
+        result.addSliding
+        (
+            pair->height(),
+            normalised(pair->height()),
+            onPatch - pair->height()
+        );
+        slide(mesh, result);
+    }
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -120,4 +140,15 @@ Foam::periodicity Foam::meshProperties::periods(const polyMesh& mesh)
     result.setLocal(mesh.points());
 
     return result;
+}
+
+
+void Foam::meshProperties::slide(const polyMesh& mesh, periodicity& periods)
+{
+    if (periods.sliding())
+    {
+        const slidingPair& pair = *LeesEdwardsPolyPatch::findPair(mesh);
+
+        periods.slide(pair.shift()*pair.direction(), pair.velocity());
+    }
 }

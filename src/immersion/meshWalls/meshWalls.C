@@ -67,14 +67,14 @@ void Foam::meshWalls::collect
             continue;
         }
 
-        const List<vector> shifts
+        const List<periodicity::image> images
         (
-            periods.localShifts(centres[bodyi], radii[bodyi])
+            periods.localImages(centres[bodyi], radii[bodyi])
         );
 
-        for (const vector& shift : shifts)
+        for (const periodicity::image& im : images)
         {
-            const point x(centres[bodyi] + shift);
+            const point x(centres[bodyi] + im.shift);
             const vector reach(radii[bodyi]*vector::one);
             labelList found
             (
@@ -98,7 +98,8 @@ void Foam::meshWalls::collect
                 (
                     wallU[patchi].valid()
                   ? wallU[patchi]()[faces_[i] - patches[patchi].start()]
-                  : vector::zero
+                    - im.velocity
+                  : -im.velocity
                 );
                 const bool moves = U != vector::zero;
 
@@ -108,7 +109,7 @@ void Foam::meshWalls::collect
                 );
                 for (const label pointi : f)
                 {
-                    packed.append(mesh_.points()[pointi] - shift);
+                    packed.append(mesh_.points()[pointi] - im.shift);
                 }
                 if (moves)
                 {

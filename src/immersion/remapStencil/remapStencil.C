@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "remapStencil.H"
+#include "cellSearch.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -28,13 +29,16 @@ Foam::remapStencil::remapStencil
     mesh_(mesh),
     neighbours_(neighbours),
     coupled_(false),
+    coupledPatch_(mesh.boundary().size()),
     delta_(mesh.boundary().size()),
     nCells_(0),
     nWide_(0)
 {
     forAll(delta_, patchi)
     {
-        if (mesh.boundary()[patchi].coupled())
+        coupledPatch_[patchi] = cellSearch::matched(mesh.boundaryMesh()[patchi]);
+
+        if (coupledPatch_[patchi])
         {
             delta_[patchi] = mesh.boundary()[patchi].delta();
             coupled_ = true;
@@ -100,7 +104,7 @@ void Foam::remapStencil::widen()
         {
             const label first = patch.start() - mesh_.nInternalFaces();
 
-            for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+            for (label i = 0; isCoupled(patch) && i < patch.size(); ++i)
             {
                 if (places[first + i] >= 0)
                 {
@@ -165,7 +169,7 @@ void Foam::remapStencil::addPatchLinks(const label place)
         const fvPatch& patch = mesh_.boundary()[at.patch];
         const label facei = patch.start() + at.face;
         const vector area(mesh_.faceAreas()[facei]/mesh_.V()[celli]);
-        const bool coupled = patch.coupled();
+        const bool coupled = isCoupled(patch);
 
         for (direction axis = 0; axis < 3; ++axis)
         {

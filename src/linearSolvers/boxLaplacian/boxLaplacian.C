@@ -2,6 +2,7 @@
 
 #include "boxLaplacian.H"
 #include "compat.H"
+#include "LeesEdwardsPolyPatch.H"
 #include "PstreamReduceOps.H"
 #include "SubField.H"
 #include <numeric>
@@ -125,6 +126,7 @@ Foam::boxLaplacian::boxLaplacian
     const tensorGrid& grid
 )
 :
+    sliding_(LeesEdwardsPolyPatch::findPair(mesh)),
     sum_(sample(solver.matrix())),
     referenceCell_(-1),
     referenceDiag_(0),

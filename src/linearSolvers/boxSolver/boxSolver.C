@@ -2,8 +2,28 @@
 
 #include "boxSolver.H"
 #include "fastestTransform.H"
+#include "fourierTransform.H"
 #include "PstreamReduceOps.H"
 #include <fftw3.h>
+
+
+bool Foam::boxSolver::suits(const label direction) const
+{
+    const slidingPair* pair = laplacian_.sliding();
+
+    if (!pair)
+    {
+        return true;
+    }
+
+    const label along = slidingModes::axis(pair->direction());
+
+    return
+        direction == slidingModes::axis(pair->height())
+     && along >= 0
+     && laplacian_.line(along).trigonometric()
+     == lineOperator::basis::periodic;
+}
 
 
 Foam::autoPtr<Foam::slabs> Foam::boxSolver::choose
@@ -22,7 +42,12 @@ Foam::autoPtr<Foam::slabs> Foam::boxSolver::choose
         autoPtr<slabs> parts(new slabs(grid, d));
         const lineOperator& line = laplacian_.line(d);
 
-        if (!parts().valid() || (line.cyclic() && line.size() < 2))
+        if
+        (
+            !parts().valid()
+         || (line.cyclic() && line.size() < 2)
+         || !suits(d)
+        )
         {
             continue;
         }
@@ -65,9 +90,17 @@ void Foam::boxSolver::addDirection
         return;
     }
 
+    const slidingPair* pair = laplacian_.sliding();
+    const bool slides =
+        pair && direction == slidingModes::axis(pair->direction());
     autoPtr<lineTransform> transform
     (
-        fastestTransform::New(line, inner, outer*nLayers)
+        slides
+      ? autoPtr<lineTransform>
+        (
+            new fourierTransform(line, inner, outer*nLayers)
+        )
+      : fastestTransform::New(line, inner, outer*nLayers)
     );
 
     forAll(lambda, m)
@@ -92,11 +125,21 @@ void Foam::boxSolver::setUp(const tensorGrid& grid, const slabs& parts)
     addDirection(b, grid.n(a), 1, parts.nLayers(), lambda);
 
     map_.reset(new slabMap(grid, parts));
+
+    if (laplacian_.sliding())
+    {
+        sliding_.reset
+        (
+            new slidingModes(*laplacian_.sliding(), t, grid.n(a), grid.n(b))
+        );
+        description_ += ", sides slide";
+    }
     systems_.reset
     (
         new slabTridiagonal
         (
-            laplacian_.line(t), parts, lambda, laplacian_.singular()
+            laplacian_.line(t), parts, lambda, laplacian_.singular(),
+            sliding_.get()
         )
     );
 

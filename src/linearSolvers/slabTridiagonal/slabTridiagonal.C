@@ -9,7 +9,8 @@ Foam::slabTridiagonal::slabTridiagonal
     const lineOperator& line,
     const slabs& parts,
     const scalarField& lambda,
-    const bool singular
+    const bool singular,
+    const slidingModes* sliding
 )
 :
     nModes_(lambda.size()),
@@ -17,7 +18,9 @@ Foam::slabTridiagonal::slabTridiagonal
     separator_(line.cyclic() || parts.mine() < parts.size() - 1),
     nInner_(parts.nLayers() - (separator_ ? 1 : 0)),
     toHigh_(0),
-    toLow_(0)
+    toLow_(0),
+    sliding_(sliding),
+    first_(parts.mine() == 0)
 {
     const label start = parts.start(parts.mine());
     const label n = line.size();
@@ -40,7 +43,18 @@ Foam::slabTridiagonal::slabTridiagonal
         const label last = start + nInner_;
         toHigh_ = separator_ ? line.off(last - 1) : 0;
         toLow_ = line.off((start + n - 1) % n);
-        separators_.reset(new separatorSystem(parts, line.cyclic(), nModes_));
+
+        if (sliding_)
+        {
+            slidingSeparators_.reset(new slidingSeparators(parts, *sliding_));
+        }
+        else
+        {
+            separators_.reset
+            (
+                new separatorSystem(parts, line.cyclic(), nModes_)
+            );
+        }
         assemble(line, last, lambda, singular);
         saved_.setSize(nInner_*nModes_);
     }
@@ -75,7 +89,37 @@ void Foam::slabTridiagonal::assemble
         atHigh_ += line.diag(last) + lambda;
     }
 
-    separators_->assemble(atHigh_, atLow_, between, singular);
+    if (sliding_)
+    {
+        slidingSeparators_->assemble(atHigh_, atLow_, between, singular);
+    }
+    else
+    {
+        separators_->assemble(atHigh_, atLow_, between, singular);
+    }
+}
+
+
+void Foam::slabTridiagonal::solveSeparators() const
+{
+    if (!sliding_)
+    {
+        separators_->solve(atHigh_, atLow_);
+        return;
+    }
+
+    sliding_->update();
+
+    if (first_)
+    {
+        sliding_->multiply(atLow_, false);
+    }
+    slidingSeparators_->solve(atHigh_, atLow_);
+
+    if (first_)
+    {
+        sliding_->multiply(atLow_, true);
+    }
 }
 
 
@@ -98,7 +142,7 @@ void Foam::slabTridiagonal::solve(scalar* v) const
         atLow_[m] = toLow_*v[m];
     }
 
-    separators_->solve(atHigh_, atLow_);
+    solveSeparators();
     std::copy_n(saved_.begin(), nInner_*nModes_, v);
 
     for (label m = 0; m < nModes_; ++m)

@@ -325,3 +325,31 @@ Foam::scalar Foam::immersedBody::correctVelocity
 
     return max(mag(dU) + shape_->boundingRadius()*mag(dOmega), held);
 }
+
+
+void Foam::immersedBody::wrap
+(
+    const vector& shift,
+    const vector& velocity,
+    const scalar dt
+)
+{
+    if (prescribed_ && velocity != vector::zero)
+    {
+        FatalErrorInFunction
+            << "The body '" << name_ << "', whose motion is prescribed, has"
+            << " passed a patch that slides: only free bodies may, or bodies"
+            << " with constraints" << nl << exit(FatalError);
+    }
+
+    // Where the shift was at the earlier times
+    state_.position += shift;
+    old_.position += shift - dt*velocity;
+    oldOld_.position += shift - 2*dt*velocity;
+    wrapped_ -= shift;
+
+    for (bodyState* state : {&state_, &old_, &oldOld_})
+    {
+        state->U += velocity;
+    }
+}

@@ -52,20 +52,53 @@ void Foam::periodicity::setLocal(const pointField& points)
 }
 
 
-Foam::vector Foam::periodicity::wrap(const point& x) const
+void Foam::periodicity::addSliding
+(
+    const vector& period,
+    const vector& n,
+    const point& x
+)
 {
-    vector shift(Zero);
-
-    forAll(periods_, i)
-    {
-        shift -= std::floor(s(i, x))*periods_[i];
-    }
-
-    return shift;
+    add(period, n, x);
+    sliding_ = true;
 }
 
 
-Foam::List<Foam::vector> Foam::periodicity::shifts
+void Foam::periodicity::slide(const vector& shift, const vector& velocity)
+{
+    periods_[0] += shift - slide_;
+    slide_ = shift;
+    slideVelocity_ = velocity;
+}
+
+
+void Foam::periodicity::move(image& im, const label i, const scalar n) const
+{
+    im.shift += n*periods_[i];
+    im.key += n*periods_[i];
+
+    if (sliding_ && i == 0)
+    {
+        im.key -= n*slide_;
+        im.velocity += n*slideVelocity_;
+    }
+}
+
+
+Foam::periodicity::image Foam::periodicity::wrap(const point& x) const
+{
+    image result{Zero, Zero, Zero};
+
+    forAll(periods_, i)
+    {
+        move(result, i, -std::floor(s(i, x + result.shift)));
+    }
+
+    return result;
+}
+
+
+Foam::List<Foam::periodicity::image> Foam::periodicity::images
 (
     const point& x,
     const scalar radius,
@@ -76,37 +109,40 @@ Foam::List<Foam::vector> Foam::periodicity::shifts
     // More than rounding adds
     const scalar margin = 1e-6;
 
-    DynamicList<vector> found(1, vector::zero);
+    DynamicList<image> found(1, image{Zero, Zero, Zero});
 
     forAll(periods_, i)
     {
         const scalar reach = radius*mag(gradients_[i]) + margin;
-        const scalar first = std::ceil(low[i] - reach - s(i, x));
-        const scalar last = std::floor(high[i] + reach - s(i, x));
-        DynamicList<vector> moved;
+        DynamicList<image> moved;
 
-        for (const vector& shift : found)
+        for (const image& im : found)
         {
+            const scalar si = s(i, x + im.shift);
+            const scalar first = std::ceil(low[i] - reach - si);
+            const scalar last = std::floor(high[i] + reach - si);
+
             for (scalar n = first; n <= last; ++n)
             {
-                moved.append(shift + n*periods_[i]);
+                moved.append(im);
+                move(moved.last(), i, n);
             }
         }
 
         found.transfer(moved);
     }
 
-    return List<vector>(std::move(found));
+    return List<image>(std::move(found));
 }
 
 
-Foam::List<Foam::vector> Foam::periodicity::globalShifts
+Foam::List<Foam::periodicity::image> Foam::periodicity::globalImages
 (
     const point& x,
     const scalar radius
 ) const
 {
-    return shifts
+    return images
     (
         x,
         radius,
@@ -119,4 +155,9 @@ Foam::List<Foam::vector> Foam::periodicity::globalShifts
 void Foam::periodicity::report(Ostream& os) const
 {
     os  << "periods: " << flatOutput(periods_) << " m";
+
+    if (sliding_)
+    {
+        os  << ", the first slides";
+    }
 }

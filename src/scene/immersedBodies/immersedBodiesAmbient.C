@@ -63,9 +63,9 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
     {
         const point& centre = bodies_[bodyi].state().position;
 
-        for (const vector& shift : periodicity_.localShifts(centre, 0))
+        for (const auto& im : periodicity_.localImages(centre, 0))
         {
-            const point x(centre + shift);
+            const point x(centre + im.shift);
             const label celli = region_.search().findCell(x);
 
             if (celli >= 0)
@@ -73,7 +73,8 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
                 const tensor& G = gradU[celli];
 
                 ++found[bodyi];
-                centreU[bodyi] += U[celli] + ((x - mesh_.C()[celli]) & G);
+                centreU[bodyi] += U[celli] + ((x - mesh_.C()[celli]) & G)
+                  - im.velocity;
                 spin[bodyi] += 0.5*vector
                 (
                     G.yz() - G.zy(), G.zx() - G.xz(), G.xy() - G.yx()

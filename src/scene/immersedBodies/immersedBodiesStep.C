@@ -5,6 +5,7 @@
 #include "comovingDerivative.H"
 #include "compat.H"
 #include "contactModel.H"
+#include "meshProperties.H"
 #include "profiling.H"
 #include "unresolvedCoupling.H"
 
@@ -17,6 +18,7 @@ Foam::scalar Foam::immersedBodies::stepRatio() const
 void Foam::immersedBodies::beginStep()
 {
     clock_ += mesh_.time().deltaTValue();
+    meshProperties::slide(mesh_, periodicity_);
     passage_->beginStep();
     oldH_ = h_;
 
@@ -83,12 +85,15 @@ void Foam::immersedBodies::wrapPositions()
 
     for (immersedBody& body : bodies_)
     {
-        const vector shift(periodicity_.wrap(body.state().position));
+        const periodicity::image im
+        (
+            periodicity_.wrap(body.state().position)
+        );
 
         // Else rounding of nothing
-        if (shift != vector::zero)
+        if (im.key != vector::zero)
         {
-            body.wrap(shift);
+            body.wrap(im.shift, im.velocity, mesh_.time().deltaTValue());
         }
     }
 }
@@ -126,7 +131,7 @@ void Foam::immersedBodies::updateFrame
         region_.search(),
         h_,
         region_.resistance().bandWidth(),
-        periodicity_.active(),
+        periodicity_,
         gMin(inBands),
         ddt
     );

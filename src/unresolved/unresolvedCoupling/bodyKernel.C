@@ -55,8 +55,10 @@ void Foam::bodyKernel::clear()
 {
     near_.clearStorage();
     nearShift_.clearStorage();
+    nearVelocity_.clearStorage();
     cells.clearStorage();
     r.clearStorage();
+    imageU.clearStorage();
     weight.clearStorage();
     searchMargin_ = -1;
     centreCell = -1;
@@ -82,10 +84,11 @@ void Foam::bodyKernel::search
 
     near_.clear();
     nearShift_.clear();
+    nearVelocity_.clear();
 
-    for (const vector& shift : periods.localShifts(x, reach))
+    for (const periodicity::image& im : periods.localImages(x, reach))
     {
-        const point image(x + shift);
+        const point image(x + im.shift);
 
         if (!centres.overlaps(image, sqr(reach)))
         {
@@ -99,7 +102,8 @@ void Foam::bodyKernel::search
             if (magSqr(d) < sqr(reach))
             {
                 near_.append(celli);
-                nearShift_.append(shift);
+                nearShift_.append(im.shift);
+                nearVelocity_.append(im.velocity);
             }
         }
     }
@@ -118,6 +122,7 @@ void Foam::bodyKernel::update
     if
     (
         searchMargin_ < 0
+     || periods.sliding()
      || R != searchRadius_
      || mag(x - searchCentre_) > searchMargin_
     )
@@ -131,6 +136,7 @@ void Foam::bodyKernel::update
 
     cells.clear();
     r.clear();
+    imageU.clear();
     weight.clear();
     centreCell = -1;
     nBeside = 0;
@@ -153,6 +159,7 @@ void Foam::bodyKernel::update
         }
         cells.append(near_[i]);
         r.append(ri);
+        imageU.append(nearVelocity_[i]);
         weight.append(sqr(1 - s));
     }
 
@@ -190,6 +197,7 @@ void Foam::bodyKernel::update
     {
         cells.append(centreCell);
         r.append(mesh.cellCentres()[centreCell] - x);
+        imageU.append(Zero);
         weight.append(1);
     }
     if (centreCell >= 0)

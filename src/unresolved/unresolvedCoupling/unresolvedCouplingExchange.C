@@ -31,7 +31,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
             (
                 weight,
                 kernel.r[i],
-                U[celli],
+                U[celli] - kernel.imageU[i],
                 ddt(U[celli], U0[celli], U00[celli])
             );
             samples[bodyi].addScalars

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A box of equal cells that repeats itself in all directions, shifted and
+moving across its top and bottom (Lees & Edwards)."""
+
+import numpy as np
+
+import boxMesh
+from bodyCase import BodyCase
+from boxMesh import uniform
+
+LIBRARY = 'libs ("libgrainLeesEdwards.so");\n'
+DIRECT = "fastPoisson;"
+FIELD = "internalField   nonuniform List<vector>\n{n}\n(\n{rows}\n);\n"
+BOUNDARY = """boundaryField
+{{
+    "left|right|back|front" {{ type cyclic; }}
+    "bottom|top" {{ type {kind}; }}
+    "frontAndBack.*" {{ type empty; }}
+}}
+"""
+
+
+def pair(case, one, other, kind="cyclic", entries=""):
+    """Make two patches one another's continuation."""
+    for a, b, more in ((one, other, entries), (other, one, "")):
+        case.replace(
+            "system/blockMeshDict", f"    {a} {{ type patch;",
+            f"    {a} {{ type {kind}; neighbourPatch {b}; {more}",
+        )
+
+
+def centres(cells, sides):
+    """Cell centres in the order of blockMesh; cells and sides: (x, y[, z])."""
+    axes = [
+        (np.arange(n) + 0.5)*side/n for n, side in zip(cells, sides)
+    ]
+    if len(axes) == 2:
+        axes.append(np.zeros(1))
+    z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
+    return np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
+
+
+def set_velocity(case, velocity):
+    """Initial velocity of all cells, an array (cells, 3)."""
+    path = case.path / "0/U"
+    head, tail = path.read_text().split("internalField", 1)
+    tail = tail.split("boundaryField", 1)[1]
+    rows = "\n".join("({:.17g} {:.17g} {:.17g})".format(*u) for u in velocity)
+    field = FIELD.format(n=len(velocity), rows=rows)
+    path.write_text(f"{head}{field}boundaryField{tail}")
+
+
+def sliding_box(
+    folder, name, cells, sides=(1, 1), shear="shearRate 1;", direct=True,
+    sliding=True, shift=0,
+):
+    """A box with corners at 0 and `sides`, of cells = (nx, ny[, nz]) cells, at
+    rest but for the shear about its middle: `shear` is the speed of the top.
+    Not sliding: the same between plain cyclic patches."""
+    case = BodyCase("tube", folder, name)
+    boxMesh.write(
+        case, *(uniform(0, side, n) for side, n in zip(sides, cells)),
+        patches={
+            "left": "x-", "right": "x+", "bottom": "y-", "top": "y+",
+            **({"back": "z-", "front": "z+"} if len(cells) == 3 else {}),
+        },
+    )
+    pair(case, "left", "right")
+    if len(cells) == 3:
+        pair(case, "back", "front")
+    if sliding:
+        entries = f"direction (1 0 0); {shear} shift {shift:.17g};"
+        pair(case, "top", "bottom", "LeesEdwards", entries)
+        case.controls(libs='("libgrainLeesEdwards.so")')
+    else:
+        pair(case, "top", "bottom")
+    boundary = BOUNDARY.format(kind="LeesEdwards" if sliding else "cyclic")
+    for field in ("U", "p"):
+        path = case.path / "0" / field
+        head = path.read_text().split("boundaryField", 1)[0]
+        path.write_text(head + boundary)
+    if direct:
+        case.replace(
+            "system/fvSolution", "GAMG;\n        smoother        GaussSeidel",
+            "fastPoisson",
+        )
+    case.run("blockMesh")
+    return case
