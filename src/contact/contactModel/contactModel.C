@@ -33,3 +33,24 @@ Foam::autoPtr<Foam::contactModel> Foam::contactModel::New
         dict, rho, lubrication
     );
 }
+
+
+Foam::labelHashSet Foam::contactModel::asleep
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    labelHashSet held;
+    bool any = false;
+
+    for (const immersedBody& body : bodies)
+    {
+        if (!body.isFree())
+        {
+            held.insert(body.number());
+            any = any || body.asleep();
+        }
+    }
+
+    return any ? held : labelHashSet();
+}

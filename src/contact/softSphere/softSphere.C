@@ -120,7 +120,7 @@ void Foam::contactModels::softSphere::advance
     history_.clear();
     energy_ = oldEnergy_;
     energy_.normalSprings = energy_.tangentialSprings = 0;
-    rememberAsleep(bodies);
+    history_.append(old_, asleep(bodies));
 
     if (!search(bodies, h, walls, periods, dt))
     {

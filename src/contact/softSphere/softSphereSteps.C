@@ -210,38 +210,3 @@ void Foam::contactModels::softSphere::remember()
         }
     }
 }
-
-
-void Foam::contactModels::softSphere::rememberAsleep
-(
-    const PtrList<immersedBody>& bodies
-)
-{
-    // Those that are not looked for contacts, if any of them sleeps
-    labelHashSet held;
-    bool any = false;
-
-    for (const immersedBody& body : bodies)
-    {
-        if (!body.isFree())
-        {
-            held.insert(body.number());
-            any = any || body.asleep();
-        }
-    }
-
-    if (!any)
-    {
-        return;
-    }
-
-    for (const contactHistory::record& r : old_.records())
-    {
-        const label b = r.bodies.second();
-
-        if (held.found(r.bodies.first()) && (b < 0 || held.found(b)))
-        {
-            history_.append(r);
-        }
-    }
-}
