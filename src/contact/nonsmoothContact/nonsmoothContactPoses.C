@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nonsmoothContact.H"
+
+namespace
+{
+    //- Overlap over half the width that may stay, and number of projections:
+    //  the gap is not linear in the displacements
+    const Foam::scalar smallOverlap = 1e-8;
+    const Foam::label maxPasses = 10;
+}
+
+
+void Foam::contactModels::nonsmoothContact::place
+(
+    PtrList<immersedBody>& bodies
+) const
+{
+    for (const mover& m : movers_)
+    {
+        // Distances are measured where the body is; its velocities stay
+        bodyState placed(bodies[m.body].state());
+
+        placed.position = m.state.position;
+        placed.orientation = m.state.orientation;
+        bodies[m.body].setState(placed);
+    }
+}
+
+
+Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    scalar largest = 0;
+
+    projection_.clear();
+
+    for (const mover& m : movers_)
+    {
+        projection_.append
+        (
+            velocityProjection::body
+            {
+                Zero, Zero, m.inverseMass, m.inverseInertia
+            }
+        );
+    }
+
+    for (const touch& t : touches_)
+    {
+        const candidate& c = candidates_[t.candidate];
+        const scalar gap = t.point.gap;
+        const bool holds = t.record.holds();
+
+        if (projection_.append(contactOf(t, gap, holds ? -GREAT : 0, 0)))
+        {
+            scalar width = bodies[movers_[c.a].body].shape().width();
+
+            if (c.b >= 0)
+            {
+                width =
+                    min(width, bodies[movers_[c.b].body].shape().width());
+            }
+
+            largest = max(largest, 2*(holds ? mag(gap) : -gap)/width);
+        }
+    }
+
+    return largest;
+}
+
+
+void Foam::contactModels::nonsmoothContact::projectPoses
+(
+    PtrList<immersedBody>& bodies,
+    const wallFacets& walls
+)
+{
+    for (label pass = 0; pass < maxPasses; ++pass)
+    {
+        place(bodies);
+        findTouches(bodies, walls);
+
+        if (addOverlaps(bodies) <= smallOverlap)
+        {
+            return;
+        }
+
+        solve();
+
+        forAll(movers_, i)
+        {
+            movers_[i].state.move
+            (
+                1, projection_[i].U, projection_[i].omega
+            );
+        }
+    }
+}
+
+
+void Foam::contactModels::nonsmoothContact::keepTouches(const scalar h)
+{
+    for (candidate& c : candidates_)
+    {
+        c.shift += h*c.velocity;
+        c.records.clear();
+    }
+
+    for (const touch& t : touches_)
+    {
+        if (t.record.live())
+        {
+            candidates_[t.candidate].records.append(t.record);
+        }
+    }
+}
+
+
+void Foam::contactModels::nonsmoothContact::remember()
+{
+    for (const candidate& c : candidates_)
+    {
+        for (const contactMultiplier& r : c.records)
+        {
+            history_.append(r);
+        }
+    }
+}

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "velocityProjection.H"
+
+namespace
+{
+    //- Part of the largest speed below which violations are rounding
+    const Foam::scalar rounding = 1e-6;
+
+    //- Part of the residual that is left when sweeps take over: they find out
+    //  which contacts push
+    const Foam::scalar phase = 0.01;
+}
+
+
+Foam::velocityProjection::velocityProjection
+(
+    const scalar tolerance,
+    const label maxIter
+)
+:
+    tolerance_(tolerance),
+    maxIter_(maxIter),
+    nIterations_(0),
+    residual_(0)
+{
+    clear();
+}
+
+
+void Foam::velocityProjection::clear()
+{
+    bodies_.clear();
+    rows_.clear();
+    append(body{Zero, Zero, Zero, Zero});
+}
+
+
+void Foam::velocityProjection::append(const body& b)
+{
+    bodies_.append(b);
+}
+
+
+bool Foam::velocityProjection::append(const contact& c)
+{
+    row r;
+
+    r.a = c.a + 1;
+    r.b = c.b < 0 ? 0 : c.b + 1;
+    r.normal = c.normal;
+    r.offset = c.offset;
+    r.least = c.least;
+    r.impulse = c.impulse;
+    r.slope = r.direction = r.response = 0;
+    r.free = false;
+
+    const body& a = bodies_[r.a];
+    const body& b = bodies_[r.b];
+
+    r.turna = c.arma^c.normal;
+    r.turnb = c.b < 0 ? vector::zero : vector(c.armb^c.normal);
+
+    // A body and an image of itself: all that counts is that it turns
+    if (r.a == r.b)
+    {
+        r.turnb -= r.turna;
+        r.normal = r.turna = Zero;
+    }
+
+    r.dUa = cmptMultiply(a.inverseMass, r.normal);
+    r.dUb = cmptMultiply(b.inverseMass, r.normal);
+    r.dOmegaa = a.inverseInertia & r.turna;
+    r.dOmegab = b.inverseInertia & r.turnb;
+    r.diagonal =
+        (r.normal & (r.dUa + r.dUb))
+      + (r.turna & r.dOmegaa) + (r.turnb & r.dOmegab);
+
+    const scalar most =
+        cmptMax(a.inverseMass) + cmptMax(b.inverseMass);
+    const bool givesWay = r.diagonal > SMALL*most;
+
+    if (givesWay)
+    {
+        rows_.append(r);
+    }
+
+    return givesWay;
+}
+
+
+Foam::scalar Foam::velocityProjection::largestResidual() const
+{
+    scalar largest = 0;
+
+    for (const row& r : rows_)
+    {
+        const scalar spare = r.diagonal*(r.impulse - r.least);
+
+        largest = max(largest, mag(min(opening(r), spare)));
+    }
+
+    return largest;
+}
+
+
+Foam::scalar Foam::velocityProjection::limit() const
+{
+    scalar largest = 0;
+
+    for (const row& r : rows_)
+    {
+        const scalar w = opening(r);
+        const body& a = bodies_[r.a];
+        const body& b = bodies_[r.b];
+
+        largest = max(largest, r.least < 0 ? mag(w) : -w);
+        largest = max
+        (
+            largest,
+            rounding
+           *(
+                mag(a.U) + mag(b.U)
+              + mag(r.turna)*mag(a.omega) + mag(r.turnb)*mag(b.omega)
+            )
+        );
+    }
+
+    return tolerance_*largest;
+}
+
+
+Foam::scalar Foam::velocityProjection::sweep()
+{
+    scalar largest = 0;
+
+    for (row& r : rows_)
+    {
+        const scalar after =
+            max(r.least, r.impulse - opening(r)/r.diagonal);
+        const scalar change = after - r.impulse;
+
+        if (change != 0)
+        {
+            r.impulse = after;
+            push(r, change, bodies_);
+            largest = max(largest, r.diagonal*mag(change));
+        }
+    }
+
+    return largest;
+}
+
+
+Foam::scalar Foam::velocityProjection::startDirections()
+{
+    scalar largest = 0;
+
+    for (row& r : rows_)
+    {
+        r.free = r.impulse > r.least;
+        r.slope = r.free ? -opening(r) : 0;
+        r.direction = r.slope/r.diagonal;
+        largest = max(largest, mag(r.slope));
+    }
+
+    return largest;
+}
+
+
+Foam::scalar Foam::velocityProjection::along()
+{
+    for (body& b : changes_)
+    {
+        b.U = b.omega = Zero;
+    }
+    for (const row& r : rows_)
+    {
+        push(r, r.direction, changes_);
+    }
+
+    scalar sum = 0, work = 0;
+
+    for (row& r : rows_)
+    {
+        r.response = r.free ? speed(r, changes_) : 0;
+        sum += r.slope*r.direction;
+        work += r.direction*r.response;
+    }
+
+    return work > VSMALL ? sum/work : 0;
+}
+
+
+void Foam::velocityProjection::conjugateSteps(const scalar small)
+{
+    const scalar enough = max(small, phase*startDirections());
+    scalar left = GREAT;
+
+    while (left > enough && nIterations_ < maxIter_)
+    {
+        const scalar best = along();
+        scalar step = best;
+
+        for (const row& r : rows_)
+        {
+            if (r.direction < 0)
+            {
+                step = min(step, (r.least - r.impulse)/r.direction);
+            }
+        }
+        ++nIterations_;
+
+        scalar before = 0, after = 0;
+        left = 0;
+
+        for (row& r : rows_)
+        {
+            before += sqr(r.slope)/r.diagonal;
+            r.impulse = max(r.least, r.impulse + step*r.direction);
+            r.slope -= step*r.response;
+            after += sqr(r.slope)/r.diagonal;
+            left = max(left, mag(r.slope));
+        }
+        forAll(bodies_, i)
+        {
+            bodies_[i].U += step*changes_[i].U;
+            bodies_[i].omega += step*changes_[i].omega;
+        }
+
+        // At the first contact that would pull, the sweeps go on
+        if (step < best || best <= 0)
+        {
+            return;
+        }
+
+        for (row& r : rows_)
+        {
+            r.direction = r.slope/r.diagonal + after/before*r.direction;
+        }
+    }
+}
+
+
+bool Foam::velocityProjection::solve()
+{
+    const scalar small = limit();
+
+    for (row& r : rows_)
+    {
+        // A guess is of no use where there is nothing to be done
+        r.impulse = small > 0 ? max(r.least, r.impulse) : 0;
+        push(r, r.impulse, bodies_);
+    }
+
+    changes_ = bodies_;
+    nIterations_ = 0;
+    scalar left = small > 0 ? largestResidual() : 0;
+
+    while (left > small && nIterations_ < maxIter_)
+    {
+        ++nIterations_;
+
+        // What a sweep changes is near the residual before it
+        if (sweep() <= small)
+        {
+            left = largestResidual();
+        }
+
+        if (left > small && nIterations_ < maxIter_)
+        {
+            conjugateSteps(small);
+            left = largestResidual();
+        }
+    }
+
+    residual_ = small > 0 ? tolerance_*left/small : 0;
+
+    return left <= small;
+}
