@@ -338,32 +338,36 @@ TEST_CASE("Wrong entries of contact by projection", "[contact]")
 
 TEST_CASE("Cost of a thousand contacts", "[.cost]")
 {
-    // A heap of 400 discs that has settled: some thousand contacts
+    // A heap of 500 discs, all alike or not, that has settled
     const auto type = GENERATE(as<std::string>{}, "inelastic", "viscous");
+    const scalar spread = GENERATE(0., 0.005);
     Scene scene("type " + type + ";", xyPlane);
+    testTools::RandomNumbers random;
     addBox(scene);
     scene.g = vector(0, -10, 0);
 
     for (label i = 0; i < 500; ++i)
     {
-        const scalar x = -0.95 + 0.1*(i % 19) + 0.05*((i/19) % 2);
+        const scalar x = -0.93 + 0.1*(i % 19) + 0.05*((i/19) % 2);
+        const scalar R = 0.049 - spread*mag(random.number());
         scene.add
         (
-            "type disc; radius 0.049;",
+            "type disc; radius " + std::to_string(R) + ";",
             {x, 0.05 + 0.1*(i/19), 0}, {0, 0, 0}
         );
     }
 
-    scene.run(0.001, 300);
+    scene.run(0.002, 1500);
     const auto start = std::clock();
-    scene.run(0.001, 100);
+    scene.run(0.002, 100);
     const scalar ms = 10.*(std::clock() - start)/CLOCKS_PER_SEC;
 
     std::printf
     (
-        "%s: %d contacts, %.3g ms per step, %.3g ms per 1000\n",
+        "%s: %d contacts, %.3g ms per step, %.3g ms per 1000,"
+        " smallest gap %.1e\n",
         type.c_str(), int(scene.model().nContacts()), ms,
-        1000*ms/scene.model().nContacts()
+        1000*ms/scene.model().nContacts(), smallestGap(scene)
     );
-    CHECK(smallestGap(scene) > -1e-8);
+    CHECK(smallestGap(scene) > -1e-5*0.05);
 }

@@ -36,7 +36,7 @@ velocityProjection::contact contact
 {
     return velocityProjection::contact
     {
-        a, b, normal, Zero, Zero, offset, least, 0
+        a, b, normal, Zero, Zero, offset, least, 0, 0
     };
 }
 

@@ -43,9 +43,9 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
 }
 
 
-void Foam::contactModels::nonsmoothContact::solve()
+void Foam::contactModels::nonsmoothContact::solve(const scalar floor)
 {
-    if (!projection_.solve() && !told_)
+    if (!projection_.solve(floor) && !told_)
     {
         told_ = true;
         WarningInFunction

@@ -8,6 +8,9 @@ namespace
     //  the gap is not linear in the displacements
     const Foam::scalar smallOverlap = 1e-8;
     const Foam::label maxPasses = 10;
+
+    //- Of contacts that hold: more of them than it takes need not fit together
+    const Foam::scalar softness = 1e-4;
 }
 
 
@@ -25,6 +28,22 @@ void Foam::contactModels::nonsmoothContact::place
         placed.orientation = m.state.orientation;
         bodies[m.body].setState(placed);
     }
+}
+
+
+Foam::scalar Foam::contactModels::nonsmoothContact::smallestHalfWidth
+(
+    const PtrList<immersedBody>& bodies
+) const
+{
+    scalar width = GREAT;
+
+    for (const mover& m : movers_)
+    {
+        width = min(width, bodies[m.body].shape().width());
+    }
+
+    return 0.5*width;
 }
 
 
@@ -54,7 +73,15 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
         const scalar gap = t.point.gap;
         const bool holds = t.record.holds();
 
-        if (projection_.append(contactOf(t, gap, holds ? -GREAT : 0, 0)))
+        velocityProjection::contact k(contactOf(t, gap, 0, 0));
+
+        if (holds)
+        {
+            k.least = -GREAT;
+            k.softness = softness;
+        }
+
+        if (projection_.append(k))
         {
             scalar width = bodies[movers_[c.a].body].shape().width();
 
@@ -78,17 +105,22 @@ void Foam::contactModels::nonsmoothContact::projectPoses
     const wallFacets& walls
 )
 {
+    scalar last = GREAT;
+
     for (label pass = 0; pass < maxPasses; ++pass)
     {
         place(bodies);
         findTouches(bodies, walls);
 
-        if (addOverlaps(bodies) <= smallOverlap)
+        const scalar overlap = addOverlaps(bodies);
+
+        if (overlap <= smallOverlap || overlap > 0.5*last)
         {
             return;
         }
+        last = overlap;
 
-        solve();
+        solve(0.1*smallOverlap*smallestHalfWidth(bodies));
 
         forAll(movers_, i)
         {

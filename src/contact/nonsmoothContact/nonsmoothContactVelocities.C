@@ -16,7 +16,7 @@ Foam::contactModels::nonsmoothContact::contactOf
     velocityProjection::contact k
     {
         c.a, c.b, t.point.normal, x - movers_[c.a].state.position, Zero,
-        offset, least, impulse
+        offset, least, impulse, 0
     };
 
     if (c.b >= 0)
@@ -68,7 +68,8 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
     {
         const touch& t = touches_[i];
         const candidate& c = candidates_[t.candidate];
-        const scalar gap = max(t.point.gap, scalar(0));
+        const scalar gap =
+            t.record.holds() ? 0 : max(t.point.gap, scalar(0));
 
         // Walls move along themselves only
         const bool taken = projection_.append

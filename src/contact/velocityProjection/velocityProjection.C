@@ -76,6 +76,9 @@ bool Foam::velocityProjection::append(const contact& c)
         (r.normal & (r.dUa + r.dUb))
       + (r.turna & r.dOmegaa) + (r.turnb & r.dOmegab);
 
+    r.softness = c.softness*r.diagonal;
+    r.diagonal += r.softness;
+
     const scalar most =
         cmptMax(a.inverseMass) + cmptMax(b.inverseMass);
     const bool givesWay = r.diagonal > SMALL*most;
@@ -140,6 +143,8 @@ Foam::scalar Foam::velocityProjection::sweep()
             max(r.least, r.impulse - opening(r)/r.diagonal);
         const scalar change = after - r.impulse;
 
+        r.free = r.impulse > r.least && after > r.least;
+
         if (change != 0)
         {
             r.impulse = after;
@@ -158,7 +163,6 @@ Foam::scalar Foam::velocityProjection::startDirections()
 
     for (row& r : rows_)
     {
-        r.free = r.impulse > r.least;
         r.slope = r.free ? -opening(r) : 0;
         r.direction = r.slope/r.diagonal;
         largest = max(largest, mag(r.slope));
@@ -179,16 +183,71 @@ Foam::scalar Foam::velocityProjection::along()
         push(r, r.direction, changes_);
     }
 
-    scalar sum = 0, work = 0;
+    scalar sum = 0, work = 0, least = 0;
 
     for (row& r : rows_)
     {
-        r.response = r.free ? speed(r, changes_) : 0;
+        r.response = r.free
+          ? speed(r, changes_) + r.softness*r.direction
+          : 0;
         sum += r.slope*r.direction;
         work += r.direction*r.response;
+        least += r.diagonal*sqr(r.direction);
     }
 
-    return work > VSMALL ? sum/work : 0;
+    // None along a direction that changes no velocity, as there is one if more
+    // contacts push than it takes
+    return work > SMALL*least ? sum/work : 0;
+}
+
+
+bool Foam::velocityProjection::cut(const scalar step)
+{
+    bool any = false;
+
+    for (row& r : rows_)
+    {
+        const scalar least = r.least - r.impulse;
+
+        if (step*r.direction < least)
+        {
+            r.direction = least/step;
+            any = true;
+        }
+    }
+
+    return any;
+}
+
+
+void Foam::velocityProjection::go(const scalar step)
+{
+    for (row& r : rows_)
+    {
+        r.impulse = max(r.least, r.impulse + step*r.direction);
+        r.free = r.free && r.impulse > r.least;
+        r.slope = r.free ? r.slope - step*r.response : 0;
+    }
+    forAll(bodies_, i)
+    {
+        bodies_[i].U += step*changes_[i].U;
+        bodies_[i].omega += step*changes_[i].omega;
+    }
+}
+
+
+Foam::scalar Foam::velocityProjection::slopes(scalar& largest) const
+{
+    scalar sum = 0;
+    largest = 0;
+
+    for (const row& r : rows_)
+    {
+        sum += sqr(r.slope)/r.diagonal;
+        largest = max(largest, mag(r.slope));
+    }
+
+    return sum;
 }
 
 
@@ -199,52 +258,42 @@ void Foam::velocityProjection::conjugateSteps(const scalar small)
 
     while (left > enough && nIterations_ < maxIter_)
     {
-        const scalar best = along();
-        scalar step = best;
+        scalar step = along();
+        const bool bent = cut(step);
 
-        for (const row& r : rows_)
+        // On the way to the best point some contacts cease to push: along what
+        // is left of the direction another one is best
+        if (bent)
         {
-            if (r.direction < 0)
-            {
-                step = min(step, (r.least - r.impulse)/r.direction);
-            }
+            step = min(step, along());
         }
-        ++nIterations_;
-
-        scalar before = 0, after = 0;
-        left = 0;
-
-        for (row& r : rows_)
-        {
-            before += sqr(r.slope)/r.diagonal;
-            r.impulse = max(r.least, r.impulse + step*r.direction);
-            r.slope -= step*r.response;
-            after += sqr(r.slope)/r.diagonal;
-            left = max(left, mag(r.slope));
-        }
-        forAll(bodies_, i)
-        {
-            bodies_[i].U += step*changes_[i].U;
-            bodies_[i].omega += step*changes_[i].omega;
-        }
-
-        // At the first contact that would pull, the sweeps go on
-        if (step < best || best <= 0)
+        if (step <= 0)
         {
             return;
         }
 
+        const scalar before = slopes(left);
+        go(step);
+        ++nIterations_;
+
+        if (bent)
+        {
+            return;
+        }
+
+        const scalar beta = slopes(left)/before;
+
         for (row& r : rows_)
         {
-            r.direction = r.slope/r.diagonal + after/before*r.direction;
+            r.direction = r.slope/r.diagonal + beta*r.direction;
         }
     }
 }
 
 
-bool Foam::velocityProjection::solve()
+bool Foam::velocityProjection::solve(const scalar floor)
 {
-    const scalar small = limit();
+    const scalar small = max(limit(), floor);
 
     for (row& r : rows_)
     {
