@@ -51,6 +51,34 @@ SETTINGS = {
         "contact { type softSphere; largestOverlap 2; }\nbodies\n",
         ["'largestOverlap 2' in 'contact'", "less than 1", FILE],
     ),
+    **{
+        f"{entry} of {model} contact": (
+            FILE, "bodies\n",
+            f"contact {{ type {model}; {entry} }}\nbodies\n",
+            [*parts, FILE],
+        )
+        for model in ("inelastic", "viscous")
+        for entry, parts in (
+            (
+                "restitution 0.5;",
+                ["'restitution' in 'contact'", "maxIter largestOverlap"],
+            ),
+            ("tolerence 1e-9;", ["nearest valid one is 'tolerance'"]),
+            ("tolerance 1;", ["'tolerance 1'", "less than 1"]),
+            ("maxIter 0;", ["'maxIter 0'", "must be greater than 0"]),
+            ("maxIter 1.5;", ["contact.maxIter", "expected label"]),
+            ("largestOverlap 1.5;", ["'largestOverlap 1.5'", "less than 1"]),
+        )
+    },
+    **{
+        f"lubrication beside {model} contact": (
+            FILE, "bodies\n", f"contact {{ type {model}; }}"
+            " lubrication { type leadingOrder; nu 1; }\nbodies\n",
+            ["'lubrication' of the type 'leadingOrder'", "softSphere",
+             f"'contact' has the type '{model}'", "type none", FILE],
+        )
+        for model in ("inelastic", "viscous")
+    },
     "reinjection outside": (
         FILE, "bodies\n", "leaving { outlet { type reinject;"
         " position (50 0 0); } }\nbodies\n",

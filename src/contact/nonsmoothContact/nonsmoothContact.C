@@ -12,16 +12,15 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
 :
     tolerance_(keywords::positiveOr(dict, "tolerance", 1e-8)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.1)),
-    projection_
-    (
-        tolerance_, label(keywords::positiveOr(dict, "maxIter", 1000))
-    ),
+    projection_(tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)),
     told_(false)
 {
     keywords::check
     (
         dict, {"type", "tolerance", "maxIter", "largestOverlap"}
     );
+
+    keywords::positiveOr(dict, "maxIter", 1);
 
     if (tolerance_ >= 1 || largestOverlap_ >= 1)
     {
