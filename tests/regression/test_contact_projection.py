@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from bodyCase import BodyCase
+from boxMesh import uniform
 from contactCase import box2d, discs
 from foamCase import FoamError
 from periodicBox import periodic_case
@@ -176,6 +177,28 @@ def test_pair_across_a_cyclic_patch(model, tmp_path):
     for a, b in zip(*motions, strict=True):
         for column in ("velocity_x", "velocity_y", "angularVelocity_z"):
             assert b[column] == pytest.approx(a[column], abs=1e-5)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_ball_stops_at_a_wall(model, tmp_path):
+    case = BodyCase("box", tmp_path)
+    case.mesh(*3*[uniform(-0.75, 0.75, 12)])
+    case.gravity()
+    case.bodies(
+        f"ball {{ shape {{ type sphere; radius {RADIUS}; }} densityRatio 1e4;"
+        " position (0.3 0.03 0.02); velocity (6 0 1); }",
+        contact(model),
+    )
+    case.controls(endTime=0.08, deltaT=0.005)
+    case.solve()
+
+    motion, forces = case.table("motion"), case.table("forces")
+    assert abs(motion["velocity_x"][-1]) < 1e-3
+    assert motion["velocity_z"][-1] == pytest.approx(1, rel=0.01)
+    assert motion["position_x"].max() < 0.5 + 1e-8*RADIUS
+    mass = 1e4*4/3*np.pi*RADIUS**3
+    impulse = 0.005*sum(forces["contactForce_x"])
+    assert impulse == pytest.approx(-mass*6, rel=0.01)
 
 
 def test_overlaps_at_the_start(tmp_path):

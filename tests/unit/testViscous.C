@@ -224,6 +224,29 @@ TEST_CASE("Restart of contact that holds", "[contact]")
 }
 
 
+TEST_CASE("Contact that holds goes on in sleep", "[contact]")
+{
+    Scene scene(viscous);
+    scene.addPlane({0, -0.51, 0}, {0, 1, 0});
+    immersedBody& body = scene.add(sphere, {0, 0, 0}, {0, -1, 0});
+    scene.run(0.01, 5);
+    const scalar before = gamma(scene);
+    CHECK(before < 0);
+
+    body.setAsleep(true);
+    scene.run(0.01, 5);
+    CHECK(gamma(scene) == before);
+
+    // It came with the speed that gravity takes a second to make
+    body.setAsleep(false);
+    scene.g = vector(0, 1, 0);
+    scene.run(0.01, 98);
+    CHECK(mag(body.state().U) < 1e-12);
+    scene.run(0.01, 7);
+    CHECK(body.state().U.y() == Approx(0.05).margin(1e-12));
+}
+
+
 TEST_CASE("Seven in a hexagon are held together", "[contact]")
 {
     // Twelve contacts, eleven of which would do
