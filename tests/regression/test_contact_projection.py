@@ -75,7 +75,7 @@ def test_discs_pushed_together_stay_together(model, density, tmp_path):
 
 @pytest.mark.parametrize("density", [0.5, 20])
 def test_viscous_discs_are_torn_apart_later(density, tmp_path):
-    """Pushed for as long as they are pulled then: only the viscous ones hold."""
+    """Pulled for as long as they were pushed: only the viscous ones hold."""
     apart = {}
     for model in MODELS:
         case = box2d(tmp_path, 30, model)

@@ -2,6 +2,7 @@
 
 #include "contactTools.H"
 #include "contactPoint.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 using contactTools::Scene;
