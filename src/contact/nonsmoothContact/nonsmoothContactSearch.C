@@ -54,7 +54,9 @@ bool Foam::contactModels::nonsmoothContact::search
     }
 
     // One that is hit may go as far as the fastest
-    const scalar furthest = bodies.empty() ? 0 : 2*max(ways);
+    const scalar furthest = bodies.empty()
+      ? 0
+      : 2*max(ways) + dt*mag(periods.slideVelocity());
     scalarField radii(bodies.size());
 
     forAll(bodies, i)
@@ -76,7 +78,11 @@ bool Foam::contactModels::nonsmoothContact::search
             const label a = moverOf(bodies, numbers, p.a, dt);
             const label b = moverOf(bodies, numbers, p.b, dt);
 
-            addCandidate(bodies, a, b, p.shift, p.velocity);
+            // The step begins where sliding images have been
+            addCandidate
+            (
+                bodies, a, b, p.shift - dt*p.velocity, p.velocity
+            );
         }
     }
 
