@@ -26,7 +26,8 @@ Foam::contactModels::softSphere::softSphere
     materials_(dict, law_()),
     lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
-    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
+    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2)),
+    keepMoments_(false)
 {
     wordList ours
     ({

@@ -84,10 +84,16 @@ void Foam::contactModels::softSphere::push
     const bool rolling
 )
 {
-    const candidate& c = candidates_[film.candidate];
+    candidate& c = candidates_[film.candidate];
 
-    auto give = [](mover& m, const vector& linear, const vector& angular)
+    // r: of the surface, shear: impulse along it, of which what is not linear
+    // is balanced by the pressure
+    auto give = [&]
+    (
+        mover& m, const vector& linear, const vector& r, const vector& shear
+    )
     {
+        const vector angular(r^shear);
         const vector dU(cmptMultiply(m.inverseMass, linear));
         const vector dOmega(m.inverseInertia & angular);
 
@@ -96,6 +102,11 @@ void Foam::contactModels::softSphere::push
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + rigidMomentum{linear, angular};
+
+        if (keepMoments_)
+        {
+            c.filmMoment += linear*r + r*(linear - shear);
+        }
     };
 
     mover& a = movers_[c.a];
@@ -103,7 +114,7 @@ void Foam::contactModels::softSphere::push
 
     if (c.b < 0)
     {
-        give(a, (rolling ? -1 : 1)*impulse, ra^impulse);
+        give(a, (rolling ? -1 : 1)*impulse, ra, impulse);
         return;
     }
 
@@ -112,8 +123,8 @@ void Foam::contactModels::softSphere::push
     const scalar la = mag(ra), lb = mag(rb);
     const scalar part = rolling ? (la - lb)/(la + lb) : 1;
 
-    give(a, part*impulse, ra^impulse);
-    give(b, -part*impulse, (rolling ? 1 : -1)*(rb^impulse));
+    give(a, part*impulse, ra, impulse);
+    give(b, -part*impulse, rb, (rolling ? 1 : -1)*impulse);
 }
 
 

@@ -154,7 +154,11 @@ void Foam::contactModels::softSphere::addCandidate
 
     candidates_.append
     (
-        candidate{a, b, shift, p.velocity, film, old_.find(numbers)}
+        candidate
+        {
+            a, b, shift, p.velocity, film, old_.find(numbers),
+            Zero, Zero, Zero
+        }
     );
 
     // Of which a candidate of images of the same two has the other part

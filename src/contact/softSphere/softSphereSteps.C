@@ -143,6 +143,7 @@ void Foam::contactModels::softSphere::kick(const scalar h)
 
     sumForces(true);
     sumLosses(h);
+    sumMoments(h);
 
     forAll(movers_, i)
     {

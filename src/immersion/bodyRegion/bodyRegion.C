@@ -278,6 +278,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     position_ = state.position;
     orientation_ = state.orientation;
     followed_ = 0;
+    force.clear();
 
     if
     (

@@ -51,7 +51,8 @@ Foam::immersedRegion::immersedRegion
         mesh,
         dimensionedScalar(dimless, Zero)
     ),
-    fluidPart_(mesh.nCells())
+    fluidPart_(mesh.nCells()),
+    keepForces_(false)
 {
     forAll(regions_, bodyi)
     {

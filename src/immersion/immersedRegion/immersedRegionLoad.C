@@ -69,7 +69,7 @@ void Foam::immersedRegion::load
     const vectorField& dU,
     const bool response,
     List<bodyLoad>& loads
-) const
+)
 {
     setFluidPart(E0, U, gradP);
 
@@ -78,7 +78,7 @@ void Foam::immersedRegion::load
         load.clearLoad();
     }
 
-    for (const bodyRegion& region : regions_)
+    for (bodyRegion& region : regions_)
     {
         addLoad
         (
@@ -131,7 +131,7 @@ void Foam::immersedRegion::addLoad
     const vectorField& U,
     const vectorField& gradP,
     const vectorField& dU,
-    const bodyRegion& region,
+    bodyRegion& region,
     bodyLoad& load
 ) const
 {
@@ -140,6 +140,8 @@ void Foam::immersedRegion::addLoad
     const bodyState& state = body.state();
     const vector moving(state.U + region.slideVelocity());
     const rigidAcceleration acceleration(body.acceleration(ddt));
+
+    region.force.setSize(keepForces_ ? region.cells.size() : 0);
 
     forAll(region.cells, i)
     {
@@ -160,6 +162,11 @@ void Foam::immersedRegion::addLoad
                 );
         }
         load.addForce(r, V[celli]*q);
+
+        if (keepForces_)
+        {
+            region.force[i] = q;
+        }
 
         load.volume += V[celli]*fractionInside(region, i);
 

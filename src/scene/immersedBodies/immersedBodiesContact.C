@@ -10,6 +10,12 @@ bool Foam::immersedBodies::contact() const
 }
 
 
+const Foam::contactModel& Foam::immersedBodies::contacts() const
+{
+    return contact_();
+}
+
+
 Foam::scalar Foam::immersedBodies::contactSpeed() const
 {
     scalar speed = 0;
