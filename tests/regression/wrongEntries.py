@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wrong entries of the case tube, and what the message about them says."""
 
+from wrongAverages import AVERAGES
 from wrongMotions import MOTIONS
 from wrongSettings import SETTINGS
 from wrongText import BODY, FILE
@@ -172,6 +173,7 @@ WRONG = {
          "system/controlDict"],
     ),
 
+    **AVERAGES,
     **MOTIONS,
     **SETTINGS,
     **TRAFFIC,

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The function object suspensionStress, against closed forms and the walls."""
+
+import re
+
+import numpy as np
+import pytest
+
+from foamCase import tables
+from shearedBox import (
+    NU, last_row, sheared_box, volume_fraction, wall_stress
+)
+
+DISC = """
+    disc
+    {{
+        shape       {{ type disc; radius {}; }}
+        densityRatio {};
+        position    {};
+    }}
+"""
+SPHERE = """
+    ball
+    {
+        shape       { type sphere; radius 0.5; }
+        densityRatio 1;
+        position    (0.02 0.01 0);
+    }
+"""
+PARTS = ("fluid", "particle", "inertia", "contact", "film", "Reynolds")
+COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
+NAME = "suspensionStress"
+
+
+def part(row, name):
+    """A part of the stress as a matrix."""
+    return np.array([row[f"{name}_{c}"] for c in COMPONENTS]).reshape(3, 3)
+
+
+def total(row):
+    return sum(part(row, name) for name in PARTS)
+
+
+def run(case, end, dt, ranks=1, n=None):
+    case.controls(endTime=end, deltaT=dt, writeInterval=end)
+    case.solve(ranks, n)
+    return last_row(case, NAME)
+
+
+def test_uniform_flow_has_no_stress(tmp_path):
+    case = sheared_box(tmp_path, "box", 2, 32, rate=0, stokes=False)
+    path = case.path/"0/U"
+    path.write_text(re.sub(r"\(-?0 0 0\)", "(1 0 0)", path.read_text()))
+    case.bodies(
+        DISC.format(0.25, 3, "(0.02 0.3 0)").replace(
+            "densityRatio", "velocity (1 0 0); densityRatio")
+    )
+    row = run(case, 0.1, 0.01)
+
+    assert case.table("motion")["velocity_x"] == pytest.approx(1, abs=1e-9)
+    for name in PARTS:
+        stress = part(row, name)
+        if name in ("fluid", "particle"):
+            stress -= np.trace(stress)/3*np.eye(3)
+        assert np.abs(stress).max() < 1e-7, name
+
+
+@pytest.mark.parametrize("stokes", [True, False], ids=["Stokes", "inertia"])
+def test_stress_of_the_box_is_that_of_the_walls(stokes, tmp_path):
+    case = sheared_box(tmp_path, "box", 2, 32, stokes=stokes)
+    case.bodies(DISC.format(0.25, 2, "(0 0 0)"))
+    row = run(case, 2 if stokes else 4, 0.05)
+    walls = wall_stress(case)
+    c = volume_fraction(0.25, 2, 2)
+
+    # The rate of strain is that of the walls, and has no part of the body
+    assert row["volumeFraction"] == pytest.approx(c, rel=1e-9)
+    assert row["shearRate"] == pytest.approx(1, rel=1e-9)
+    assert part(row, "fluid")[0, 1] == pytest.approx(NU, rel=1e-9)
+
+    assert row["shearStress"] == pytest.approx(walls, rel=2e-5)
+    assert total(row)[0, 1] == pytest.approx(row["shearStress"], rel=1e-9)
+    assert row["viscosity"] == pytest.approx(row["shearStress"], rel=1e-9)
+
+    # Force-free and free of torque
+    assert total(row)[1, 0] == pytest.approx(total(row)[0, 1], rel=1e-3)
+    assert 2*c < (walls - NU)/NU < 2.3*c
+
+
+def test_dilute_discs(tmp_path):
+    """Viscosity 1 + 2 c; the walls are 12 radii from the disc."""
+    case = sheared_box(tmp_path, "box", 6, 72)
+    case.bodies(DISC.format(0.5, 1, "(0 0 0)"))
+    row = run(case, 15, 0.3)
+    slope = (row["viscosity"]/NU - 1)/volume_fraction(0.5, 6, 6)
+
+    assert row["viscosity"] == pytest.approx(wall_stress(case), rel=1e-4)
+    assert 2 < slope < 2.1
+
+
+def test_sphere_between_walls(tmp_path):
+    case = sheared_box(tmp_path, "box", 3, 30, dims=3)
+    case.bodies(SPHERE)
+    row = run(case, 3, 0.2)
+    slope = (row["viscosity"]/NU - 1)/volume_fraction(0.5, 3, 3, dims=3)
+
+    assert row["viscosity"] == pytest.approx(wall_stress(case), rel=1e-3)
+    assert 2.5 < slope < 2.75
+    assert abs(row["N1"]) + abs(row["N2"]) < 1e-3
+
+
+PUSH = """
+    restraints {{ push {{ type externalForce; force ({} 0 0); }} }}
+    densityRatio"""
+CONTACT = """
+rho 1;
+contact
+{
+    type softSphere; restitution 0.2; friction 0.3; collisionTime 0.05;
+}
+"""
+
+
+def test_two_that_are_pressed_onto_each_other(tmp_path):
+    """Their contact has the force times the distance, over the volume."""
+    case = sheared_box(tmp_path, "box", 2, 32, rate=0)
+    force = 0.01
+    one = DISC.format(0.25, 5, "(-0.2499 0 0)").replace(
+        "densityRatio", PUSH.format(force))
+    other = DISC.format(0.25, 5, "(0.2499 0 0)").replace(
+        "densityRatio", PUSH.format(-force)).replace("disc\n", "other\n")
+    case.bodies(one + other, CONTACT)
+    row = run(case, 0.5, 0.02)
+    x = [case.table("motion", body)["position_x"][-1] for body in (0, 1)]
+    contact = part(row, "contact")
+
+    # The fluid between them keeps a per cent of the force
+    pressed = case.table("forces", 1)["contactForce_x"][-1]
+    assert pressed == pytest.approx(force, rel=0.01)
+
+    volume = 2*2*0.1
+    assert contact[0, 0] == pytest.approx(
+        -pressed*(x[1] - x[0])/volume, rel=1e-7)
+    assert np.abs(contact).max() == -contact[0, 0]
+    assert row["contacts"] == 1 and row["largestCluster"] == 2
+    assert row["leastGap"] == pytest.approx(x[1] - x[0] - 0.5, abs=1e-9)
+
+
+def tighten(case):
+    for old, new in (("1e-8;", "1e-11;"), ("0.01;", "0;"),
+                     ("1e-9;", "1e-12;"), ("1e-3;", "0;")):
+        case.replace("system/fvSolution", old, new)
+
+
+def test_ranks(tmp_path):
+    rows = []
+    for ranks, n in ((1, None), (2, (2, 1, 1)), (4, (2, 2, 1))):
+        case = sheared_box(tmp_path, f"on{ranks}", 2, 32, stokes=False)
+        # Held, as where iterations of the velocity end differs a little
+        case.bodies(DISC.format(0.25, 2, "(0.9 0.3 0)").replace(
+            "density", "motion { type fixed; } density"))
+        tighten(case)
+        rows.append(run(case, 0.08, 0.02, ranks, n))
+
+    for row in rows[1:]:
+        for name in rows[0]:
+            assert row[name] == pytest.approx(
+                rows[0][name], rel=1e-6, abs=1e-7), name
+
+
+def test_means_go_on_after_a_restart(tmp_path):
+    cases = []
+    for name in ("once", "parts"):
+        case = sheared_box(tmp_path, name, 2, 16, stokes=False,
+                           entries="start 0.1;")
+        case.bodies(DISC.format(0.25, 2, "(0.3 0.3 0)"))
+        case.controls(endTime=0.4, deltaT=0.01, writeInterval=0.2,
+                      writeFormat="binary")
+        if name == "parts":
+            case.controls(endTime=0.2)
+            case.solve()
+            case.controls(endTime=0.4)
+        case.solve()
+        cases.append(last_row(case, NAME, NAME + "Means"))
+
+    once, parts = cases
+    assert once["samples"] == 31
+    for name in once:
+        assert once[name] == parts[name] or np.isnan(once[name]), name
+
+    # Of correlated numbers: more than if all were independent
+    assert once["errorOf_shearStress"] > 0
+
+
+def test_means_are_those_of_the_rows(tmp_path):
+    case = sheared_box(tmp_path, "box", 2, 16)
+    case.bodies(DISC.format(0.25, 2, "(0.3 0.3 0)"))
+    run(case, 0.2, 0.01)
+    rows = tables.run_columns(case.path, NAME, NAME)
+    means = last_row(case, NAME, NAME + "Means")
+
+    for name in ("shearStress", "N1", "nearestGap"):
+        assert means[name] == pytest.approx(rows[name].mean(), rel=1e-9)
+        error = rows[name].std(ddof=1)/np.sqrt(20)
+        assert means[f"errorOf_{name}"] == pytest.approx(error, rel=1e-9)
