@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "kernelSums.H"
+#include "PstreamBuffers.H"
+
+Foam::List<Foam::boundBox> Foam::kernelSums::boxes() const
+{
+    List<boundBox> all(Pstream::nProcs());
+
+    all[Pstream::myProcNo()] = boundBox(mesh_.cellCentres(), false);
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    return all;
+}
+
+
+void Foam::kernelSums::findSent
+(
+    const periodicity& periods,
+    List<DynamicList<scalar>>& x
+)
+{
+    const List<boundBox> all(boxes());
+    const vectorField& centres = mesh_.cellCentres();
+    const vector reach(vector::uniform(kernel_.reach()));
+
+    // About the cube of that half edge
+    const scalar radius = mag(reach);
+
+    forAll(centres, celli)
+    {
+        for (const vector& shift : periods.globalShifts(centres[celli], radius))
+        {
+            const point image(centres[celli] + shift);
+
+            forAll(all, proci)
+            {
+                const boundBox near
+                (
+                    all[proci].min() - reach, all[proci].max() + reach
+                );
+
+                if (near.contains(image))
+                {
+                    sent_[proci].append(celli);
+
+                    for (direction k = 0; k < 3; ++k)
+                    {
+                        x[proci].append(image[k]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+
+Foam::scalarField Foam::kernelSums::swap
+(
+    const UList<DynamicList<scalar>>& lists
+)
+{
+    const label mine = Pstream::myProcNo();
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+
+    forAll(lists, proci)
+    {
+        if (proci != mine)
+        {
+            UOPstream to(proci, buffers);
+            to << lists[proci];
+        }
+    }
+    buffers.finishedSends();
+
+    DynamicList<scalar> all;
+
+    forAll(lists, proci)
+    {
+        if (proci == mine)
+        {
+            all.append(lists[mine]);
+            continue;
+        }
+
+        UIPstream from(proci, buffers);
+        all.append(scalarList(from));
+    }
+
+    return scalarField(std::move(all));
+}
+
+
+Foam::scalarField Foam::kernelSums::exchange
+(
+    const label n,
+    const UList<scalar>& values
+) const
+{
+    List<DynamicList<scalar>> lists(sent_.size());
+
+    forAll(sent_, proci)
+    {
+        lists[proci].reserve(n*sent_[proci].size());
+
+        for (const label celli : sent_[proci])
+        {
+            for (label k = 0; k < n; ++k)
+            {
+                lists[proci].append(values[n*celli + k]);
+            }
+        }
+    }
+
+    const scalarField received(swap(lists));
+    scalarField ordered(received.size());
+
+    forAll(order_, i)
+    {
+        for (label k = 0; k < n; ++k)
+        {
+            ordered[n*i + k] = received[n*order_[i] + k];
+        }
+    }
+
+    return ordered;
+}
