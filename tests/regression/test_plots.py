@@ -12,6 +12,7 @@ sys.path.insert(0, str(ROOT/"tutorials/plotting"))
 
 import grainPlots
 import sensorPlots
+import suspensionPlots
 
 PASSAGES = (
     "# time[s]\tplane\tbody\taxial[m/s]\tradius[m]\n"
@@ -92,3 +93,42 @@ def test_tables_of_a_run_after_a_check_are_found(case):
     (folder/"passages.dat").write_text("# Planes\n")
     sensorPlots.drawAll(case)
     assert (case/"plots/sensorSpeed.png").exists()
+
+
+def stress_tables(case):
+    """Tables of two function objects, as they are written."""
+    columns = ["viscosity[m2/s]", "contacts", "largestCluster"]
+    parts = [f"{part}_xy[m2/s2]" for part in suspensionPlots.PARTS]
+    layers = ["position[m]", "bodyFraction", "UFluid_x[m/s]", "UFluid_y[m/s]",
+              "UFluid_z[m/s]", "UBodies_x[m/s]"]
+    for path, names, rows in (
+        ("stress/0/suspensionStress", [*columns, *parts],
+         [[1, 0.6, 2, 3, 0.5, 0.1, 0, 0, 0, 0],
+          [2, 0.7, 1, 2, 0.5, 0.2, 0, 0.1, 0, 0]]),
+        ("stress/0/suspensionStressMeans",
+         ["viscosity[m2/s]", "errorOf_viscosity[m2/s]"],
+         [[1, 0.6, "nan"], [2, 0.65, 0.05]]),
+        ("averages/0/bodyAverages", layers,
+         [[2, -0.5, 0.1, -1, 0, 0, -0.9], [2, 0.5, 0, 1, 0, 0, "nan"]]),
+    ):
+        file = case/f"postProcessing/{path}.dat"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        lines = ["# Title", "\t".join(["# time[s]", *names])]
+        lines += ["\t".join(map(str, row)) for row in rows]
+        file.write_text("\n".join(lines) + "\n")
+
+
+def test_parts_of_the_stress_that_are_zero_are_left_out(tmp_path, drawn):
+    stress_tables(tmp_path)
+    suspensionPlots.parts(tmp_path, None, "stress")
+    labels = [line.get_label() for line in drawn[0].axes[0].lines]
+    assert labels == ["fluid", "particle", "contact"]
+
+
+def test_pictures_of_a_suspension(tmp_path):
+    stress_tables(tmp_path)
+    suspensionPlots.drawAll(tmp_path, "stress", "averages")
+    assert {file.stem for file in (tmp_path/"plots").iterdir()} == {
+        f"suspension{name}"
+        for name in ("Viscosity", "Parts", "Contacts", "Profiles")
+    }

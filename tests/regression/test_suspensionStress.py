@@ -8,7 +8,7 @@ import pytest
 
 from foamCase import tables
 from shearedBox import (
-    NU, last_row, sheared_box, volume_fraction, wall_stress
+    NU, last_row, sheared_box, tighten, volume_fraction, wall_stress
 )
 
 DISC = """
@@ -144,12 +144,6 @@ def test_two_that_are_pressed_onto_each_other(tmp_path):
     assert np.abs(contact).max() == -contact[0, 0]
     assert row["contacts"] == 1 and row["largestCluster"] == 2
     assert row["leastGap"] == pytest.approx(x[1] - x[0] - 0.5, abs=1e-9)
-
-
-def tighten(case):
-    for old, new in (("1e-8;", "1e-11;"), ("0.01;", "0;"),
-                     ("1e-9;", "1e-12;"), ("1e-3;", "0;")):
-        case.replace("system/fvSolution", old, new)
 
 
 def test_ranks(tmp_path):

@@ -29,5 +29,21 @@ AVERAGES = {
             "suspensionStress", "gradient (2 0.1 0);",
             ["'flow' and 'gradient' in 'averages' must be normal"],
         ),
+        "keyword of the averages": (
+            "bodyAverages", "layer 10;",
+            ["'layer' in 'averages'", "nearest valid one is 'layers'"],
+        ),
+        "layers of no thickness": (
+            "bodyAverages", "layers 0.5;",
+            ["'layers' not less than 1"],
+        ),
+        "a kernel": (
+            "bodyAverages", "kernel { type Gausian; }",
+            ["'type Gausian' in 'kernel'", "'Gaussian'"],
+        ),
+        "keyword of a kernel": (
+            "bodyAverages", "kernel { width 2; }",
+            ["'width' in 'kernel'", "radius"],
+        ),
     }.items()
 }
