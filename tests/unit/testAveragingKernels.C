@@ -182,3 +182,53 @@ TEST_CASE("Averages across cyclic patches keep the integral",
         wave == Approx(1 - 0.5*sqr(k)*kernel->secondMoment()).margin(0.08)
     );
 }
+
+
+TEST_CASE("Averages on graded and on sheared meshes", "[averages]")
+{
+    // Direction by direction, and pair by pair
+    const std::string type = GENERATE("Gaussian", "topHat", "sphere");
+    const scalar shear = GENERATE(0., 0.3);
+    const bool last = type == "sphere";
+    const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+    box.x = {{
+        testTools::graded(9, 2, 1.2), testTools::graded(7, 1, 0.8),
+        testTools::graded(5, 1, 1.1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+    box.shear = shear;
+
+    if (Pstream::parRun())
+    {
+        return;
+    }
+
+    const auto mesh(box.make(time));
+    const auto kernel = averagingKernel::New
+    (
+        dict("type " + type + ";"), type == "Gaussian" ? 0.15 : 0.6, false
+    );
+    const kernelSums sums(*mesh, meshProperties::periods(*mesh), kernel());
+    const vectorField& x = mesh->cellCentres();
+    const scalarField& V = mesh->cellVolumes();
+    const gridSums grid(kernel(), x, x);
+    testTools::RandomNumbers random(4);
+    scalarField values(x.size()), g(x.size());
+
+    CHECK(grid.valid() == (!last && shear == 0));
+    forAll(values, celli)
+    {
+        values[celli] = random.number();
+    }
+
+    const scalarField means(sums.average(1, values));
+
+    forAll(means, celli)
+    {
+        kernel->values(vectorField(x - x[celli]), g);
+        const scalar mean = sum(scalarField(V*g*values))/sum(scalarField(V*g));
+
+        CHECK(means[celli] == Approx(mean).margin(1e-12));
+    }
+}

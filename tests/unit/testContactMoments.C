@@ -52,7 +52,10 @@ TEST_CASE("Two that are pressed onto each other: force times distance")
     const vector up(normalised(vector(0.6, 0.5, 0.7)));
 
     scene.model().keepMoments();
-    scene.add(sphere, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, "motion { type fixed; }");
+    scene.add
+    (
+        sphere, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, "motion { type fixed; }"
+    );
     scene.add(sphere, 0.9999*up, {0, 0, 0});
     const scalar mass = 2*scene.bodies[1].volume();
 

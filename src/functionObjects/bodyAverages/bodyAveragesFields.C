@@ -7,6 +7,8 @@
 
 namespace
 {
+    typedef Foam::phaseSources source;
+
     //- Fraction below which a phase is not there
     const Foam::scalar none = 1e-6;
 
@@ -14,6 +16,22 @@ namespace
     Foam::scalar inverse(const Foam::scalar fraction)
     {
         return fraction > none ? 1/fraction : 0;
+    }
+
+
+    //- A vector from three columns
+    Foam::vector vectorAt(const Foam::scalar* from)
+    {
+        return Foam::vector(from[0], from[1], from[2]);
+    }
+
+
+    //- Write a field whose cells have been set
+    template<class Field>
+    void finish(Field& field)
+    {
+        field.correctBoundaryConditions();
+        field.write();
     }
 }
 
@@ -62,7 +80,7 @@ Foam::functionObjects::bodyAverages::columns
 
     forAll(cells, celli)
     {
-        const scalar* from = &means[phaseSources::nColumns*celli + k];
+        const scalar* from = &means[source::nColumns*celli + k];
 
         for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
         {
@@ -80,16 +98,9 @@ void Foam::functionObjects::bodyAverages::writeMeans
     const scalarField& means
 ) const
 {
-    typedef phaseSources source;
+    columns<scalar>("FluidFraction", dimless, means, source::fluid).write();
+    columns<scalar>("BodyFraction", dimless, means, source::bodies).write();
 
-    const volScalarField eps
-    (
-        columns<scalar>("FluidFraction", dimless, means, source::fluid)
-    );
-    const volScalarField phi
-    (
-        columns<scalar>("BodyFraction", dimless, means, source::bodies)
-    );
     volScalarField p
     (
         columns<scalar>("Pressure", sqr(dimVelocity), means, source::p)
@@ -107,24 +118,19 @@ void Foam::functionObjects::bodyAverages::writeMeans
         columns<vector>("Spin", dimless/dimTime, means, source::omega)
     );
 
-    forAll(eps, celli)
+    forAll(p, celli)
     {
-        p[celli] *= inverse(eps[celli]);
-        U[celli] *= inverse(eps[celli]);
-        Ub[celli] *= inverse(phi[celli]);
-        omega[celli] *= inverse(phi[celli]);
-    }
-    p.correctBoundaryConditions();
-    U.correctBoundaryConditions();
-    Ub.correctBoundaryConditions();
-    omega.correctBoundaryConditions();
+        const scalar* row = &means[source::nColumns*celli];
 
-    eps.write();
-    phi.write();
-    p.write();
-    U.write();
-    Ub.write();
-    omega.write();
+        p[celli] *= inverse(row[source::fluid]);
+        U[celli] *= inverse(row[source::fluid]);
+        Ub[celli] *= inverse(row[source::bodies]);
+        omega[celli] *= inverse(row[source::bodies]);
+    }
+    finish(p);
+    finish(U);
+    finish(Ub);
+    finish(omega);
 }
 
 
@@ -133,8 +139,6 @@ void Foam::functionObjects::bodyAverages::writeForces
     const scalarField& means
 ) const
 {
-    typedef phaseSources source;
-
     const volVectorField f
     (
         columns<vector>("Force", dimAcceleration, means, source::force)
@@ -147,23 +151,18 @@ void Foam::functionObjects::bodyAverages::writeForces
         const scalar* row = &means[source::nColumns*celli];
         const scalar ofFluid = inverse(row[source::fluid]);
         const scalar ofBodies = inverse(row[source::bodies]);
-        vector slip(Zero);
-
-        for (direction i = 0; i < 3; ++i)
-        {
-            slip[i] =
-                ofFluid*row[source::U + i] - ofBodies*row[source::Ub + i];
-        }
+        const vector slip
+        (
+            ofFluid*vectorAt(row + source::U)
+          - ofBodies*vectorAt(row + source::Ub)
+        );
 
         drag[celli] = (f[celli] & slip)*slip/max(magSqr(slip), VSMALL);
         lift[celli] = f[celli] - drag[celli];
     }
-    drag.correctBoundaryConditions();
-    lift.correctBoundaryConditions();
-
     f.write();
-    drag.write();
-    lift.write();
+    finish(drag);
+    finish(lift);
 }
 
 
@@ -172,8 +171,6 @@ void Foam::functionObjects::bodyAverages::writeStresses
     const scalarField& means
 ) const
 {
-    typedef phaseSources source;
-
     const dimensionSet stress(sqr(dimVelocity));
     volSymmTensorField Sf
     (
@@ -193,29 +190,21 @@ void Foam::functionObjects::bodyAverages::writeStresses
     (
         columns<symmTensor>("UUBodies", stress, means, source::momentumU)
     );
-    const volVectorField U
-    (
-        columns<vector>("UFluid", dimVelocity, means, source::U)
-    );
-    const volVectorField momentum
-    (
-        columns<vector>("Momentum", dimVelocity, means, source::momentum)
-    );
 
     forAll(Rf, celli)
     {
         const scalar* row = &means[source::nColumns*celli];
 
-        Rf[celli] = inverse(row[source::fluid])*sqr(U[celli]) - Rf[celli];
+        Rf[celli] =
+            inverse(row[source::fluid])*sqr(vectorAt(row + source::U))
+          - Rf[celli];
         Sb[celli] +=
-            inverse(row[source::mass])*sqr(momentum[celli]) - UUb[celli];
+            inverse(row[source::mass])*sqr(vectorAt(row + source::momentum))
+          - UUb[celli];
     }
-    Rf.correctBoundaryConditions();
-    Sb.correctBoundaryConditions();
-
     Sf.write();
-    Rf.write();
-    Sb.write();
+    finish(Rf);
+    finish(Sb);
     writeViscosity(means, Sf + Rf);
 }
 
@@ -226,8 +215,6 @@ void Foam::functionObjects::bodyAverages::writeViscosity
     const volSymmTensorField& S
 ) const
 {
-    typedef phaseSources source;
-
     const volVectorField U
     (
         columns<vector>("UFluid", dimVelocity, means, source::U)
@@ -253,9 +240,6 @@ void Foam::functionObjects::bodyAverages::writeViscosity
         p[celli] = -(diagonal & plane)/space.nDims();
         nu[celli] = magSqr(D) > least ? (dev(s) && D)/(2*magSqr(D)) : 0;
     }
-    p.correctBoundaryConditions();
-    nu.correctBoundaryConditions();
-
-    p.write();
-    nu.write();
+    finish(p);
+    finish(nu);
 }

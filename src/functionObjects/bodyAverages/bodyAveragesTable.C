@@ -5,14 +5,13 @@
 
 Foam::List<Foam::scalarField> Foam::functionObjects::bodyAverages::layers
 (
-    const scalarField& means
+    const scalarField& means,
+    const scalar low,
+    const scalar thickness
 ) const
 {
     const label n = phaseSources::nColumns;
     const scalarField height(mesh_.cellCentres() & direction_);
-    const scalarField corners(mesh_.points() & direction_);
-    const scalar low = gMin(corners);
-    const scalar thickness = (gMax(corners) - low)/nLayers_;
     List<scalarField> sums(nLayers_, scalarField(n + 1, Zero));
 
     forAll(height, celli)
@@ -37,13 +36,43 @@ Foam::List<Foam::scalarField> Foam::functionObjects::bodyAverages::layers
 }
 
 
+void Foam::functionObjects::bodyAverages::writeTableHeader(Ostream& os)
+{
+    writeHeader(os, "Averages in layers, over the density of the fluid");
+    writeCommented(os, "time[s]");
+    os  << tab << "position[m]" << tab << "fluidFraction" << tab
+        << "bodyFraction" << tab << "pressure[m2/s2]";
+
+    for
+    (
+        const char* name
+      : {"UFluid_@[m/s]", "UBodies_@[m/s]", "spin_@[rad/s]", "force_@[m/s2]"}
+    )
+    {
+        for (const char* i : {"x", "y", "z"})
+        {
+            os  << tab << string(name).replace("@", i).c_str();
+        }
+    }
+    for (const char* name : {"stress", "traction", "contact"})
+    {
+        for (const char* i : {"xx", "xy", "xz", "yy", "yz", "zz"})
+        {
+            os  << tab << name << '_' << i << "[m2/s2]";
+        }
+    }
+    os  << nl;
+}
+
+
 void Foam::functionObjects::bodyAverages::writeTable(const scalarField& means)
 {
     typedef phaseSources source;
 
-    const scalar low = gMin(scalarField(mesh_.points() & direction_));
-    const scalar high = gMax(scalarField(mesh_.points() & direction_));
-    const List<scalarField> sums(layers(means));
+    const scalarField corners(mesh_.points() & direction_);
+    const scalar low = gMin(corners);
+    const scalar thickness = (gMax(corners) - low)/nLayers_;
+    const List<scalarField> sums(layers(means, low, thickness));
 
     if (!writeToFile())
     {
@@ -52,44 +81,17 @@ void Foam::functionObjects::bodyAverages::writeTable(const scalarField& means)
 
     OFstream& os = file();
 
-    if (!writtenHeader_)
+    if (writesHeader())
     {
-        writeHeader(os, "Averages in layers, over the density of the fluid");
-        writeCommented(os, "time[s]");
-        os  << tab << "position[m]" << tab << "fluidFraction" << tab
-            << "bodyFraction" << tab << "pressure[m2/s2]";
-
-        for (const char* name : {"UFluid", "UBodies"})
-        {
-            for (const char* i : {"x", "y", "z"})
-            {
-                os  << tab << name << '_' << i << "[m/s]";
-            }
-        }
-        for (const char* i : {"x", "y", "z"})
-        {
-            os  << tab << "spin_" << i << "[rad/s]";
-        }
-        for (const char* i : {"x", "y", "z"})
-        {
-            os  << tab << "force_" << i << "[m/s2]";
-        }
-        for (const char* name : {"stress", "traction", "contact"})
-        {
-            for (const char* i : {"xx", "xy", "xz", "yy", "yz", "zz"})
-            {
-                os  << tab << name << '_' << i << "[m2/s2]";
-            }
-        }
-        os  << nl;
-        writtenHeader_ = true;
+        writeTableHeader(os);
     }
 
     forAll(sums, layeri)
     {
-        const scalarField& sum = sums[layeri];
-        const scalar* of = &sum[1];
+        const scalar volume = sums[layeri][0];
+        const scalar* of = &sums[layeri][1];
 
+        // n columns from k on, over w
         auto write = [&](const source::column k, const label n, const scalar w)
         {
             for (label i = 0; i < n; ++i)
@@ -99,17 +101,17 @@ void Foam::functionObjects::bodyAverages::writeTable(const scalarField& means)
         };
 
         writeCurrentTime(os);
-        os  << tab << low + (layeri + 0.5)*(high - low)/nLayers_;
-        write(source::fluid, 1, sum[0]);
-        write(source::bodies, 1, sum[0]);
+        os  << tab << low + (layeri + 0.5)*thickness;
+        write(source::fluid, 1, volume);
+        write(source::bodies, 1, volume);
         write(source::p, 1, of[source::fluid]);
         write(source::U, 3, of[source::fluid]);
         write(source::Ub, 3, of[source::bodies]);
         write(source::omega, 3, of[source::bodies]);
-        write(source::force, 3, sum[0]);
-        write(source::stress, 6, sum[0]);
-        write(source::traction, 6, sum[0]);
-        write(source::contact, 6, sum[0]);
+        write(source::force, 3, volume);
+        write(source::stress, 6, volume);
+        write(source::traction, 6, volume);
+        write(source::contact, 6, volume);
         os  << nl;
     }
     os.flush();

@@ -6,7 +6,7 @@
 void Foam::kernelSums::sortIntoBins()
 {
     const boundBox box(x_, false);
-    const vector span(box.span());
+    const vector span(x_.empty() ? vector::zero : box.span());
 
     low_ = box.min();
     binSize_ = 0.25*kernel_.reach();
@@ -114,16 +114,16 @@ Foam::kernelSums::kernelSums
     order_ = identity(x_.size());
     V_ = exchange(1, mesh.cellVolumes());
     sortIntoBins();
+    grid_.reset(new gridSums(kernel, x_, mesh.cellCentres()));
 }
 
 
-Foam::scalarField Foam::kernelSums::average
+Foam::scalarField Foam::kernelSums::averagePairs
 (
     const label n,
     const UList<scalar>& values
 ) const
 {
-    const scalarField all(exchange(n, values));
     const vectorField& centres = mesh_.cellCentres();
     scalarField means(n*mesh_.nCells(), Zero);
     DynamicList<label> near;
@@ -142,7 +142,7 @@ Foam::scalarField Foam::kernelSums::average
         forAll(near, i)
         {
             const scalar w = V_[near[i]]*g[i];
-            const scalar* value = &all[n*near[i]];
+            const scalar* value = &values[n*near[i]];
 
             sum += w;
             for (label k = 0; k < n; ++k)
@@ -153,6 +153,42 @@ Foam::scalarField Foam::kernelSums::average
         for (label k = 0; k < n; ++k)
         {
             mean[k] /= sum;
+        }
+    }
+
+    return means;
+}
+
+
+Foam::scalarField Foam::kernelSums::average
+(
+    const label n,
+    const UList<scalar>& values
+) const
+{
+    const scalarField all(exchange(n, values));
+
+    if (!grid_->valid())
+    {
+        return averagePairs(n, all);
+    }
+
+    const scalarField sums(grid_->sum(V_));
+    scalarField means(n*mesh_.nCells());
+    scalarField one(V_.size());
+
+    for (label k = 0; k < n; ++k)
+    {
+        forAll(one, i)
+        {
+            one[i] = V_[i]*all[n*i + k];
+        }
+
+        const scalarField mean(grid_->sum(one));
+
+        forAll(mean, celli)
+        {
+            means[n*celli + k] = mean[celli]/sums[celli];
         }
     }
 

@@ -20,16 +20,14 @@ Foam::averagingKernels::Gaussian::Gaussian
     const bool twoD
 )
 :
-    twoD_(twoD),
     s_(radius),
     norm_
     (
-        twoD
-      ? constant::mathematical::twoPi*sqr(radius)*(1 - Foam::exp(-8.0))
-      : pow3(Foam::sqrt(constant::mathematical::twoPi)*radius)
-       *(
-            Foam::erf(Foam::sqrt(8.0))
-          - 8/Foam::sqrt(constant::mathematical::twoPi)*Foam::exp(-8.0)
+        Foam::pow
+        (
+            Foam::sqrt(constant::mathematical::twoPi)*radius
+           *Foam::erf(Foam::sqrt(8.0)),
+            twoD ? 2 : 3
         )
     )
 {}
@@ -37,18 +35,22 @@ Foam::averagingKernels::Gaussian::Gaussian
 
 Foam::scalar Foam::averagingKernels::Gaussian::secondMoment() const
 {
-    // By parts, of r^2 over n; x = r/s
-    const scalar e = Foam::exp(-8.0);
+    // By parts
+    return sqr(s_)
+       *(
+            1
+          - 8*Foam::exp(-8.0)
+           /(
+                Foam::sqrt(constant::mathematical::twoPi)
+               *Foam::erf(Foam::sqrt(8.0))
+            )
+        );
+}
 
-    if (twoD_)
-    {
-        return sqr(s_)*(1 - 9*e)/(1 - e);
-    }
 
-    const scalar a = Foam::sqrt(2/constant::mathematical::pi)*4*e;
-    const scalar inside = Foam::erf(Foam::sqrt(8.0)) - a;
-
-    return sqr(s_)*(inside - 16*a/3)/inside;
+Foam::scalar Foam::averagingKernels::Gaussian::factor(const scalar x) const
+{
+    return mag(x) < inner*reach() ? Foam::exp(-0.5*sqr(x/s_)) : 0;
 }
 
 
@@ -58,13 +60,13 @@ void Foam::averagingKernels::Gaussian::values
     UList<scalar>& g
 ) const
 {
-    const scalar limit = sqr(inner*reach());
+    const scalar limit = inner*reach();
     const scalar scale = -0.5/sqr(s_);
 
     forAll(r, i)
     {
-        const scalar r2 = magSqr(r[i]);
-
-        g[i] = r2 < limit ? Foam::exp(scale*r2)/norm_ : 0;
+        g[i] = cmptMax(cmptMag(r[i])) < limit
+          ? Foam::exp(scale*magSqr(r[i]))/norm_
+          : 0;
     }
 }

@@ -31,6 +31,12 @@ Foam::scalar Foam::averagingKernels::topHat::secondMoment() const
 }
 
 
+Foam::scalar Foam::averagingKernels::topHat::factor(const scalar x) const
+{
+    return mag(x) < inner*R_ ? 1 : 0;
+}
+
+
 void Foam::averagingKernels::topHat::values
 (
     const UList<vector>& r,
