@@ -40,14 +40,6 @@ STRESS = """
         writePrecision  15;
         %s
     }
-    gradient
-    {
-        type            grad;
-        libs            (fieldFunctionObjects);
-        field           U;
-        executeControl  writeTime;
-        writeControl    writeTime;
-    }
 """
 
 

@@ -197,3 +197,61 @@ def test_means_are_those_of_the_rows(tmp_path):
         assert means[name] == pytest.approx(rows[name].mean(), rel=1e-9)
         error = rows[name].std(ddof=1)/np.sqrt(20)
         assert means[f"errorOf_{name}"] == pytest.approx(error, rel=1e-9)
+
+
+WALL = """
+    on{0}
+    {{
+        type            forces;
+        libs            (forces);
+        patches         ({0});
+        rho             rhoInf;
+        rhoInf          1;
+        CofR            (0 0 0);
+        writeControl    timeStep;
+        log             no;
+    }}
+"""
+FILMS = """
+contact
+{
+    type softSphere; restitution 0.5; friction 0.2; collisionTime 0.02;
+}
+lubrication { type leadingOrder; }
+"""
+
+
+def force_on(case, wall):
+    """Force of the fluid along x on a wall, at all times."""
+    folder = case.path/f"postProcessing/on{wall}/0"
+    (file,) = (f for f in folder.glob("force*.dat") if f.stem == "force")
+    return case.read_dat(file.relative_to(case.path))[:, 1]
+
+
+def test_suspension_with_films(tmp_path):
+    """Twelve discs that come close to each other: over time, their stress is
+    that of the walls, by OpenFOAM's own forces."""
+    case = sheared_box(tmp_path, "box", 2, 64, stokes=False,
+                       entries="clusterGap 0.02;")
+    walls = WALL.format("top") + WALL.format("bottom")
+    case.replace("system/controlDict", "functions\n{", "functions\n{" + walls)
+    random = np.random.default_rng(3)
+    places = [
+        ((0.25 + 0.5*i + 0.1*j + random.uniform(-0.04, 0.04)) % 2 - 1,
+         -2/3 + 2/3*j + random.uniform(-0.1, 0.1))
+        for i in range(4) for j in range(3)
+    ]
+    case.bodies("".join(
+        DISC.format(0.16, 1, f"({x} {y} 0)").replace(
+            "disc\n", f"disc{i}\n").replace(
+            "density", f"velocity ({y} 0 0); density")
+        for i, (x, y) in enumerate(places)), FILMS)
+    run(case, 4, 0.02)
+    rows = tables.run_columns(case.path, NAME, NAME)
+    stress = (force_on(case, "bottom") - force_on(case, "top"))/2/(2*0.1)
+    late = rows["time"] > 1
+
+    assert rows["film_xy"][late].mean() > 0.005
+    assert rows["shearStress"][late].mean() == pytest.approx(
+        stress[late].mean(), rel=0.01)
+    assert rows["largestCluster"].max() > 1
