@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyAverages.H"
+#include "compat.H"
 #include <cmath>
 
 Foam::List<Foam::scalarField> Foam::functionObjects::bodyAverages::layers
@@ -29,7 +30,7 @@ Foam::List<Foam::scalarField> Foam::functionObjects::bodyAverages::layers
 
     for (scalarField& sum : sums)
     {
-        Pstream::listCombineGather(sum, plusEqOp<scalar>());
+        compat::allReduce(sum, plusEqOp<scalar>());
     }
 
     return sums;

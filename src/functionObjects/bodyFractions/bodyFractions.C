@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyFractions.H"
+#include "compat.H"
 
 namespace
 {
@@ -45,8 +46,7 @@ Foam::Pair<Foam::scalarField> Foam::bodyFractions::set
 
     for (scalarField& sum : sums)
     {
-        Pstream::listCombineGather(sum, plusEqOp<scalar>());
-        Pstream::listCombineScatter(sum);
+        compat::allReduce(sum, plusEqOp<scalar>());
     }
 
     return sums;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyTractions.H"
+#include "compat.H"
 
 Foam::bodyTractions::bodyTractions
 (
@@ -47,7 +48,6 @@ Foam::bodyTractions::bodyTractions
 
     for (tensorField* moments : {&surface_, &inertia_})
     {
-        Pstream::listCombineGather(*moments, plusEqOp<tensor>());
-        Pstream::listCombineScatter(*moments);
+        compat::allReduce(*moments, plusEqOp<tensor>());
     }
 }

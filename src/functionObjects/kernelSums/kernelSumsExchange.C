@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "kernelSums.H"
+#include "compat.H"
 #include "PstreamBuffers.H"
 
 Foam::List<Foam::boundBox> Foam::kernelSums::boxes() const
 {
-    List<boundBox> all(Pstream::nProcs());
+    const boundBox mine(mesh_.cellCentres(), false);
+    List<point> low(Pstream::nProcs()), high(Pstream::nProcs());
 
-    all[Pstream::myProcNo()] = boundBox(mesh_.cellCentres(), false);
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    low[Pstream::myProcNo()] = mine.min();
+    high[Pstream::myProcNo()] = mine.max();
+    compat::allGather(low);
+    compat::allGather(high);
+
+    List<boundBox> all(low.size());
+
+    forAll(all, proci)
+    {
+        all[proci] = boundBox(low[proci], high[proci]);
+    }
 
     return all;
 }
