@@ -94,6 +94,34 @@ void Foam::contactModels::nonsmoothContact::advance
 }
 
 
+Foam::DynamicList<Foam::contactModel::pairMoment>
+Foam::contactModels::nonsmoothContact::moments(const scalar dt) const
+{
+    DynamicList<pairMoment> all;
+
+    for (const candidate& c : candidates_)
+    {
+        if (magSqr(c.impulse) > 0)
+        {
+            all.append
+            (
+                pairMoment
+                {
+                    movers_[c.a].body,
+                    c.b < 0 ? -1 : movers_[c.b].body,
+                    c.shift,
+                    c.impulse/dt,
+                    c.moment/dt,
+                    Zero
+                }
+            );
+        }
+    }
+
+    return all;
+}
+
+
 void Foam::contactModels::nonsmoothContact::endStep()
 {
     oldEnergy_ = energy_;

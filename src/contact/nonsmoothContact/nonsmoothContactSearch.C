@@ -160,7 +160,10 @@ void Foam::contactModels::nonsmoothContact::addCandidate
 
     candidates_.append
     (
-        candidate{a, b, shift, velocity, area, old_.find(numbers)}
+        candidate
+        {
+            a, b, shift, velocity, area, old_.find(numbers), Zero, Zero
+        }
     );
 }
 

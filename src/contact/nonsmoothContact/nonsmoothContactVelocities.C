@@ -109,12 +109,14 @@ void Foam::contactModels::nonsmoothContact::applyImpulse
     const scalar h
 )
 {
-    const candidate& c = candidates_[t.candidate];
+    candidate& c = candidates_[t.candidate];
     const vector p(impulse*t.point.normal);
     mover& a = movers_[c.a];
+    const vector arma(t.point.position - a.state.position);
 
-    a.impulse = a.impulse
-      + rigidMomentum{-p, p^(t.point.position - a.state.position)};
+    a.impulse = a.impulse + rigidMomentum{-p, p^arma};
+    c.impulse -= p;
+    c.moment -= p*arma;
 
     if (c.b >= 0)
     {
@@ -122,6 +124,7 @@ void Foam::contactModels::nonsmoothContact::applyImpulse
         const vector arm(t.point.position - c.shift - b.state.position);
 
         b.impulse = b.impulse + rigidMomentum{p, arm^p};
+        c.moment += p*arm;
     }
 
     t.record.gamma = gamma(impulse - c.area*t.record.gamma, c.area);

@@ -153,7 +153,10 @@ bool Foam::functionObjects::bodyAverages::write()
     const kernelSums sums(mesh_, bodies_.periods(), kernel());
     const scalarField means
     (
-        sums.average(phaseSources::nColumns, sources.values())
+        sums.average
+        (
+            phaseSources::nColumns, sources.values(), phaseSources::slide
+        )
     );
 
     if (log)

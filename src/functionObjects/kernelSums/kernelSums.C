@@ -97,7 +97,8 @@ Foam::kernelSums::kernelSums
 :
     mesh_(mesh),
     kernel_(kernel),
-    sent_(Pstream::nProcs())
+    sent_(Pstream::nProcs()),
+    sentVelocity_(Pstream::nProcs())
 {
     List<DynamicList<scalar>> places(Pstream::nProcs());
 
@@ -163,10 +164,11 @@ Foam::scalarField Foam::kernelSums::averagePairs
 Foam::scalarField Foam::kernelSums::average
 (
     const label n,
-    const UList<scalar>& values
+    const UList<scalar>& values,
+    const slideRow& slide
 ) const
 {
-    const scalarField all(exchange(n, values));
+    const scalarField all(exchange(n, values, slide));
 
     if (!grid_->valid())
     {

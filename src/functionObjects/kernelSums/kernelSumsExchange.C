@@ -40,9 +40,9 @@ void Foam::kernelSums::findSent
 
     forAll(centres, celli)
     {
-        for (const vector& shift : periods.globalShifts(centres[celli], radius))
+        for (const auto& im : periods.globalImages(centres[celli], radius))
         {
-            const point image(centres[celli] + shift);
+            const point image(centres[celli] + im.shift);
 
             forAll(all, proci)
             {
@@ -54,6 +54,7 @@ void Foam::kernelSums::findSent
                 if (near.contains(image))
                 {
                     sent_[proci].append(celli);
+                    sentVelocity_[proci].append(im.velocity);
 
                     for (direction k = 0; k < 3; ++k)
                     {
@@ -105,7 +106,8 @@ Foam::scalarField Foam::kernelSums::swap
 Foam::scalarField Foam::kernelSums::exchange
 (
     const label n,
-    const UList<scalar>& values
+    const UList<scalar>& values,
+    const slideRow& slide
 ) const
 {
     List<DynamicList<scalar>> lists(sent_.size());
@@ -114,11 +116,18 @@ Foam::scalarField Foam::kernelSums::exchange
     {
         lists[proci].reserve(n*sent_[proci].size());
 
-        for (const label celli : sent_[proci])
+        forAll(sent_[proci], i)
         {
+            const label first = lists[proci].size();
+            const vector& velocity = sentVelocity_[proci][i];
+
             for (label k = 0; k < n; ++k)
             {
-                lists[proci].append(values[n*celli + k]);
+                lists[proci].append(values[n*sent_[proci][i] + k]);
+            }
+            if (slide && velocity != vector::zero)
+            {
+                slide(&lists[proci][first], velocity);
             }
         }
     }

@@ -25,6 +25,25 @@ void Foam::phaseSources::add(scalar* row, const column k, const symmTensor& t)
 }
 
 
+void Foam::phaseSources::slide(scalar* row, const vector& v)
+{
+    // Before the means of first order change
+    const auto second = [&](const column mean, const column k, const scalar m)
+    {
+        const vector first(row[mean], row[mean + 1], row[mean + 2]);
+
+        add(row, k, symmTensor(twoSymm(first*v) + m*sqr(v)));
+    };
+
+    second(U, UU, row[fluid]);
+    second(momentum, momentumU, row[mass]);
+
+    add(row, U, row[fluid]*v);
+    add(row, Ub, row[bodies]*v);
+    add(row, momentum, row[mass]*v);
+}
+
+
 Foam::symmTensorField Foam::phaseSources::contactMoments
 (
     const scalar dt
@@ -77,7 +96,11 @@ void Foam::phaseSources::addBodies
             const scalar chi = fractions_[regioni][i];
             scalar* to = row(one.cells[i]);
             const vector& w = body.state().omega;
-            const vector V(body.state().U + (w^(one.x[i] - one.position())));
+            const vector V
+            (
+                body.state().U + one.slideVelocity()
+              + (w^(one.x[i] - one.position()))
+            );
 
             to[fluid] -= chi;
             to[bodies] += chi;
