@@ -7,10 +7,18 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
+from foamCase import tables
 
-LIBRARY = 'libs ("libgrainLeesEdwards.so");\n'
-DIRECT = "fastPoisson;"
 FIELD = "internalField   nonuniform List<vector>\n{n}\n(\n{rows}\n);\n"
+STRESS = """
+    stress
+    {
+        type            suspensionStress;
+        libs            (immersedBodyFunctionObjects);
+        writeControl    timeStep;
+        writePrecision  15;
+    }
+"""
 BOUNDARY = """boundaryField
 {{
     "left|right|back|front" {{ type cyclic; }}
@@ -48,6 +56,16 @@ def set_velocity(case, velocity):
     rows = "\n".join("({:.17g} {:.17g} {:.17g})".format(*u) for u in velocity)
     field = FIELD.format(n=len(velocity), rows=rows)
     path.write_text(f"{head}{field}boundaryField{tail}")
+
+
+def set_stress(case):
+    """Have the mean stress of the box in all time steps."""
+    case.replace("system/controlDict", "functions\n{", "functions\n{" + STRESS)
+
+
+def stress(case):
+    """Columns of suspensionStress by their names without units."""
+    return tables.run_columns(case.path, "stress", "suspensionStress")
 
 
 def sliding_box(

@@ -113,7 +113,6 @@ void Foam::bodyRegion::slide(const periodicity::image& im)
     {
         // Nothing of the last update is valid but the near cells
         slid_ = true;
-        position_ = point::max;
     }
     image_ = im;
 }
@@ -205,7 +204,7 @@ bool Foam::bodyRegion::stillValid(const immersedBody& body) const
         return !body.resolved() && searchMargin_ < 0;
     }
 
-    return moved(body) < minFollowed*body.shape().width();
+    return !slid_ && moved(body) < minFollowed*body.shape().width();
 }
 
 
@@ -215,9 +214,16 @@ bool Foam::bodyRegion::follow(const immersedBody& body)
     const vector move(state.position - position_);
     const quaternion turn(state.orientation*conjugate(orientation_));
     const vector angle((turn.w() < 0 ? -2 : 2)*turn.v());
+
+    // An image that has just come into the mesh was nowhere before
+    if (searchMargin_ < 0 || slid_)
+    {
+        return false;
+    }
+
     const scalar far = followed_ + moved(body);
 
-    if (searchMargin_ < 0 || far > maxFollowed*body.shape().width())
+    if (far > maxFollowed*body.shape().width())
     {
         return false;
     }
@@ -256,6 +262,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     if
     (
         (again || followed_ == 0)
+     && !slid_
      && state.position == position_
      && state.orientation == orientation_
     )
