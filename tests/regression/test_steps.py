@@ -175,6 +175,27 @@ def test_a_repeated_step_begins_with_the_old_eddy_viscosity(tube, tmp_path):
     same(cases, first, "U", "p", "nut")
 
 
+def test_a_fixed_time_step_that_is_too_long_is_warned_of(tube, tmp_path):
+    def warnings(deltaT, **controls):
+        case = BodyCase(tube, tmp_path, f"long{deltaT}{len(controls)}")
+        case.bodies("""
+            disc
+            {
+                shape       { type disc; radius 0.2; }
+                position    (0 0 0);
+                motion      { type fixed; }
+            }
+        """)
+        case.controls(endTime=3*deltaT, deltaT=deltaT, **controls)
+        return re.findall(r"go through (\S+) cells", case.solve())
+
+    # Cells of 0.05, and 1.5 m/s at the start
+    (cells,) = warnings(0.4)
+    assert float(cells) == pytest.approx(12, rel=0.01)
+    assert not warnings(0.05)
+    assert not warnings(0.4, adjustTimeStep="yes", maxCo=20)
+
+
 def test_a_run_that_cannot_go_on_stops_with_its_state(tube, tmp_path):
     deltaT = 0.2
     case = prepare(tube, tmp_path, 3, deltaT)

@@ -14,6 +14,7 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
 
     continuityErrors();
     reportProgress();
+    warnOfTimeStep();
 
     if (good && bodies_.steady().active())
     {
@@ -99,6 +100,30 @@ void Foam::flowSolvers::fluidWithBodies::reportProgress() const
         << ", time left "
         << round(secondsLeft) << " s"
         << endl;
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::warnOfTimeStep()
+{
+    // A few are what a coarse run may have, more mostly a slip
+    const scalar many = 5;
+
+    if
+    (
+        warned_ || adjustTimeStep || bodies_.steady().active()
+     || !(CoNum > many)
+    )
+    {
+        return;
+    }
+
+    warned_ = true;
+    WarningInFunction
+        << "In the time step of " << runTime_.deltaTValue() << " s fluid or"
+        << " bodies go through " << CoNum << " cells: what changes with time"
+        << " is not resolved. In system/controlDict 'deltaT "
+        << runTime_.deltaTValue()/CoNum << "' has a Courant number of 1;"
+        << " 'adjustTimeStep yes; maxCo 0.5;' keeps to one" << nl << endl;
 }
 
 

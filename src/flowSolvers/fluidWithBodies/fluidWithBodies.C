@@ -14,6 +14,7 @@ Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
         new immersedBodies(mesh, immersedBodies::readProperties(mesh))
     ),
     startTime_(mesh.time().value()),
+    warned_(false),
     bodies_(ownBodies_())
 {
     checkSettings();
