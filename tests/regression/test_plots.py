@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT/"tutorials/plotting"))
 
+import animate
 import grainPlots
 import sensorPlots
 import suspensionPlots
@@ -84,6 +85,21 @@ def test_density_has_its_counting_error(case, drawn):
     assert middle == pytest.approx([0.9, 0.2, 0.7, 3])
     assert half == pytest.approx([0.9/2**0.5, 0.2, 0.7/3**0.5, 1])
     assert legend_is_clear(drawn[0])
+
+
+@pytest.mark.parametrize("way, depth, axes", [
+    # A sphere that falls, one in a tube, and discs in a plane
+    ((0.01, 0.02, -5), 1, (0, 2)), ((9, 0.2, 0.1), 1, (0, 2)),
+    ((0, -5, 0), 0, (0, 1)), ((5, 0, 0), 0, (0, 1)),
+    # No surfaces were written
+    ((0.01, 0.02, -5), None, (0, 2)), ((0, -5, 0), None, (0, 1)),
+])
+def test_an_animation_without_a_plane_is_seen_from_the_side(way, depth, axes):
+    grain = {f"position_{c}": np.linspace(0, end, 5)
+             for c, end in zip("xyz", way)}
+    surface = None if depth is None else np.array(
+        [(x, y, z*depth) for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    assert animate.longestAxes({"one": grain}, {"one": surface}) == axes
 
 
 def test_tables_of_a_run_after_a_check_are_found(case):

@@ -8,9 +8,10 @@ CASE is a folder with postProcessing, as every tutorial with grains has after
 its run. Bodies move with the rows of immersedBodyMotion, and have the outlines
 that immersedBodySurfaces has written; behind them is the speed, or the
 magnitude of another field, on the cut plane that the function object `surfaces`
-has written in raw format, interpolated between its times. In a comoving window
-the picture is that of the window. Needs numpy, matplotlib and pillow, and no
-screen.
+has written in raw format, interpolated between its times. Without one, bodies
+are seen on the two directions in which they and their ways are longest. In a
+comoving window the picture is that of the window. Needs numpy, matplotlib and
+pillow, and no screen.
 """
 
 import argparse
@@ -153,9 +154,28 @@ class Plane:
         return (1 - part)*self.values(i) + part*self.values(i + 1)
 
 
+def placesOf(grains):
+    return np.concatenate([position(g).T for g in grains.values()])
+
+
+def longestAxes(grains, shapes):
+    """The two directions in which bodies and their ways are longest; of nearly
+    equal ones x, then z. In two dimensions the third has no length at all."""
+    span = np.ptp(placesOf(grains), axis=0) + np.max(
+        [np.zeros(3)] + [np.ptp(s, axis=0) for s in shapes.values()
+                         if s is not None], axis=0)
+    span /= max(span.max(), 1e-300)
+
+    def rank(axis):
+        flat = span[axis] < 1e-6
+        return flat, -round(span[axis], 1), axis if flat else (0, 2, 1)[axis]
+
+    return tuple(sorted(sorted(range(3), key=rank)[:2]))
+
+
 def extentOf(grains, shapes, axes):
     """Of all places of all bodies, with a margin: ((x0, x1), (y0, y1))."""
-    places = np.concatenate([position(g).T for g in grains.values()])
+    places = placesOf(grains)
     sizes = [np.abs(s).max() for s in shapes.values() if s is not None]
     margin = 2*max(sizes, default=0.05*np.ptp(places))
     return [(places[:, a].min() - margin, places[:, a].max() + margin)
@@ -218,7 +238,7 @@ def animate(case, frames=80, fps=12, field="U", start=None, end=None):
     grains, numbers = readGrains(case)
     shapes = readShapes(case, grains, numbers)
     plane = Plane(case, field)
-    axes = plane.axes if plane.times else (0, 1)
+    axes = plane.axes if plane.times else longestAxes(grains, shapes)
     extent = (
         [(g[0], g[-1]) for g in plane.grid] if plane.times
         else extentOf(grains, shapes, axes)
