@@ -112,7 +112,7 @@ def test_coupling_changes_without_a_jump(through):
     x = case.table("motion")["position_x"][1:]
     inside = drag[(x > 0) & (x < 1)].mean()
     assert inside == pytest.approx(
-        0.5*(drag[x < -2.5][-10:].mean() + drag[x > 2.5].mean()), rel=0.15
+        0.5*(drag[x < -2.5][-10:].mean() + drag[x > 2.5].mean()), rel=0.1
     )
 
 
