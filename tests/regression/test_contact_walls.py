@@ -162,6 +162,24 @@ def test_walls_have_materials(material, direction, ranks, e, tmp_path):
     assert speed == pytest.approx(5*e, rel=0.02)
 
 
+def test_a_slip_in_the_name_of_a_material_is_warned_of(tmp_path):
+    log = {}
+    for pair in ("grain-glass", "grain-rubbre", "grian-steel"):
+        case = box(tmp_path, "type noSlip;", pair)
+        case.bodies(
+            ball(material="grain", position="(0 0 0)"),
+            MATERIALS.replace("pairs {", f"pairs {{ {pair} {{ }}"),
+        )
+        log[pair] = case.run("foamRun", "-check")
+    assert "No body and no wall is of" not in log["grain-glass"]
+    for pair, (wrong, right) in {
+        "grain-rubbre": ("rubbre", "rubber"), "grian-steel": ("grian", "grain"),
+    }.items():
+        assert log[pair].count("No body and no wall is of") == 1
+        assert f"'{wrong}' in 'pairs': is it '{right}'?" in log[pair]
+        assert "immersedBodyProperties" in log[pair]
+
+
 WRONG = [
     ("material grain", "material grian", ["grian", "nearest", "'grain'"]),
     ("wallBelt steel", "wallBel steel",

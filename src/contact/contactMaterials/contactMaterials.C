@@ -2,6 +2,7 @@
 
 #include "contactMaterials.H"
 #include "checkKeywords.H"
+#include "HashSet.H"
 #include "wordRe.H"
 
 const Foam::wordList Foam::contactMaterials::keywords
@@ -187,6 +188,39 @@ Foam::label Foam::contactMaterials::number
     }
 
     return found;
+}
+
+
+void Foam::contactMaterials::checkSpelling
+(
+    const dictionary& dict,
+    const wordList& ofBodies
+) const
+{
+    wordHashSet inUse(ofBodies);
+    inUse.insert(dict.subOrEmptyDict("materials").toc());
+
+    for (const entry& e : walls_)
+    {
+        inUse.insert(e.get<word>());
+    }
+
+    const wordList used(inUse.sortedToc());
+
+    for (const word& name : names_)
+    {
+        // One edit in four letters is a slip, and two in more
+        const label many = name.size() < 5 ? 2 : 3;
+        const word near(Foam::keywords::nearest(name, used, many));
+
+        if (!inUse.found(name) && !near.empty())
+        {
+            IOWarningInFunction(dict.subDict("pairs"))
+                << "No body and no wall is of the material '" << name
+                << "' in 'pairs': is it '" << near << "'? In use are "
+                << flatOutput(used) << nl << endl;
+        }
+    }
 }
 
 

@@ -75,6 +75,7 @@ void Foam::contactModels::softSphere::readMaterials
     }
 
     wallMaterials_ = materials_.ofWalls(walls.patches());
+    wordList ofBodies;
 
     for (const char* kind : {"bodies", "injection"})
     {
@@ -84,10 +85,18 @@ void Foam::contactModels::softSphere::readMaterials
         {
             if (e.isDict() && e.dict().found("material"))
             {
-                materials_.number(e.dict().get<word>("material"), e.dict());
+                const word name(e.dict().get<word>("material"));
+
+                materials_.number(name, e.dict());
+                if (!ofBodies.found(name))
+                {
+                    ofBodies.append(name);
+                }
             }
         }
     }
+
+    materials_.checkSpelling(properties.subDict("contact"), ofBodies);
 }
 
 

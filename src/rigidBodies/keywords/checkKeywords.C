@@ -105,8 +105,18 @@ void checkEnds(const Foam::dictionary& dict, const Foam::wordList& valid)
 
 Foam::word Foam::keywords::nearest(const word& name, const wordList& valid)
 {
+    return nearest(name, valid, 3 + label(name.size())/3);
+}
+
+
+Foam::word Foam::keywords::nearest
+(
+    const word& name,
+    const wordList& valid,
+    label fewest
+)
+{
     word best;
-    label fewest = 3 + label(name.size())/3;
 
     for (const word& candidate : valid)
     {
