@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from foamCase import FoamError
-from slidingBox import centres, set_velocity, sliding_box
+from slidingBox import (
+    centres, set_stress, set_velocity, sliding_box, stress,
+)
 
 N = 24
 TIGHT = "coupling { tolerance 1e-11; nOuterCorrectors 60; }"
@@ -259,6 +261,64 @@ def test_restart(tmp_path):
     parts.controls(endTime=0.08)
     parts.solve()
     assert parts.results() == whole.results()
+
+
+@pytest.mark.parametrize("height", [0.5, 0.9])
+def test_square_array(height, tmp_path):
+    """A free disc in Stokes flow: viscosity and spin of a square array, area
+    fraction 0.24, shifted by a quarter; exact 1.5194296 and -0.4870028. Wherever
+    the disc is."""
+    n, R, nu = 29, math.sqrt(0.24/math.pi), 200
+    case = prepare(
+        tmp_path, "array", cells=(n, n), velocity=eddies((n, n), 1, size=0),
+        shift=0.15, end=0.1, dt=0.005, nu=nu,
+    )
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear",
+        "div(phi,U)          none",
+    )
+    set_stress(case)
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius {R:.12g}; }}
+            densityRatio 1;
+            position    (0.51 {height + 0.01:.12g} 0);
+            velocity    ({height - 0.49:.12g} 0 0);
+            angularVelocity (0 0 -0.5);
+        }}
+    """)
+    case.solve()
+    assert stress(case)["viscosity"][-1]/nu == pytest.approx(1.5194, rel=1e-3)
+    spin = case.table("motion")["angularVelocity_z"][-1]
+    assert spin == pytest.approx(-0.4870, rel=2e-3)
+
+
+def test_spheres(tmp_path):
+    """In three dimensions, off the middle of the box, as in the middle."""
+    spins = []
+    for height in (0.5, 0.9):
+        n = 12
+        case = sliding_box(tmp_path, f"at{height}", (n, n, n), (1, 1, 1))
+        x = centres((n, n, n), (1, 1, 1))
+        velocity = 0*x
+        velocity[:, 0] = x[:, 1] - 0.5
+        set_velocity(case, velocity)
+        case.controls(endTime=0.1, deltaT=0.01)
+        case.bodies(f"""
+            sphere
+            {{
+                shape       {{ type sphere; radius 0.25; }}
+                densityRatio 1;
+                position    (0.52 {height + 0.02:.12g} 0.52);
+                velocity    ({height - 0.48:.12g} 0 0);
+                angularVelocity (0 0 -0.5);
+            }}
+        """)
+        case.solve()
+        spins.append(case.table("motion")["angularVelocity_z"][-1])
+    assert spins[0] == pytest.approx(spins[1], rel=3e-3)
+    assert spins[0] == pytest.approx(-0.5, rel=0.03)
 
 
 @pytest.mark.parametrize(
