@@ -354,3 +354,87 @@ def test_needs_rows(tmp_path):
         case.run("blockMesh")
         case.solve()
     assert "need equal cells" in str(error.value)
+
+
+def pair_case(folder, move, contact):
+    """Two discs that shear and a push bring together, moved up by `move`."""
+    case = prepare(
+        folder, f"moved{move:g}", velocity=eddies((N, N), 1, size=0), nu=1, end=0.2,
+        dt=0.005,
+    )
+    text = ""
+    for name, x, y in (("a", 0.35, 0.56), ("b", 0.64, 0.44)):
+        up = y + move
+        above = up > 1
+        text += f"""
+            {name}
+            {{
+                shape       {{ type disc; radius 0.14; }}
+                densityRatio 1;
+                position    ({x} {up - above:.15g} 0);
+                velocity    ({up - above - 0.5:.15g} 0 0);
+                restraints
+                {{
+                    push
+                    {{
+                        type externalForce;
+                        force ({3 if name == "a" else -3} 0 0);
+                    }}
+                }}
+            }}
+        """
+    case.bodies(text, f"rho 1;\n{TIGHT}\n{contact}")
+    case.solve()
+    return case
+
+
+@pytest.mark.parametrize(
+    "contact",
+    [
+        "contact { type softSphere; }",
+        "contact { type softSphere; } lubrication { type leadingOrder; }",
+        "contact { type inelastic; }",
+    ],
+)
+def test_contact_across(contact, tmp_path):
+    """Two that collide across the pair of patches, as two in the middle."""
+    apart = []
+    for move in (0, 0.5):
+        case = pair_case(tmp_path, move, contact)
+        a, b = case.table("motion", 0), case.table("motion", 1)
+        x = b["position_x"] - a["position_x"]
+        y = b["position_y"] - a["position_y"]
+        above = np.round(y)
+        x, y = x - above*a["time"], y - above
+        x -= np.round(x)
+        apart.append(np.hypot(x, y))
+    # Films keep them apart
+    assert apart[0].min() < (0.295 if "lubrication" in contact else 0.285)
+    assert np.abs(apart[1] - apart[0]).max() < 1e-3
+
+
+def test_unresolved_across(tmp_path):
+    """A grain that moves with a uniform shear goes on with it, wherever the
+    pair cuts its kernel."""
+    n = 10
+    case = sliding_box(tmp_path, "grain", (n, n, n), (1, 1, 1), shift=0.37)
+    velocity = np.zeros((n**3, 3))
+    velocity[:, 0] = centres((n, n, n), (1, 1, 1))[:, 1] - 0.5
+    set_velocity(case, velocity)
+    case.controls(endTime=0.2, deltaT=0.01)
+    case.bodies("""
+        grain
+        {
+            shape       { type sphere; radius 0.002; }
+            densityRatio 5;
+            position    (0.9 0.97 0.5);
+            velocity    (0.47 0 0);
+            angularVelocity (0 0 -0.5);
+            coupling    unresolved;
+        }
+    """)
+    case.solve()
+    motion = case.table("motion")
+    assert np.abs(motion["velocity_x"] - 0.47).max() < 1e-9
+    assert np.abs(motion["velocity_y"]).max() < 1e-9
+    assert np.abs(motion["angularVelocity_z"] + 0.5).max() < 1e-8
