@@ -25,7 +25,10 @@ def test_foamRun_prints_it(tmp_path):
 
 
 @pytest.mark.parametrize("file, text", [
-    ("CHANGELOG.md", rf"\A# .*\n+## {re.escape(VERSION)}\b"),
+    # The first of those with a number
+    ("CHANGELOG.md",
+     rf"\A# .*\n+(?:## Unreleased\n(?:(?!## ).*\n)*)?"
+     rf"## {re.escape(VERSION)}\b"),
     ("CITATION.cff", rf"(?m)^version: {re.escape(VERSION)}$"),
     ("packaging/spack/package.py", rf'version\(\s*"{re.escape(VERSION)}"'),
 ])
