@@ -21,7 +21,10 @@ ARRAYS = {
     "face-centred": (
         ((0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)),
         math.sqrt(0.5),
-        {0.064: 2.888753, 0.216: 7.757677, 0.367: 19.33978},
+        {
+            0.064: 2.888753, 0.216: 7.757677, 0.367: 19.33978,
+            0.486: 43.26502, 0.592: 100.4014,
+        },
     ),
 }
 # Of the array from the mesh, in cells
@@ -90,6 +93,16 @@ class Array:
         return run, gradient/scale/speed
 
 
+def permeability(fraction, drag):
+    """Over the radius of spheres squared, of their F/(6 pi mu a U)."""
+    return 2/(9*fraction*drag)
+
+
+def carman_kozeny(fraction):
+    """The same for granular beds."""
+    return (1 - fraction)**3/(45*fraction**2)
+
+
 def sizes(lattice, quick):
     """Cells per diameter."""
     if lattice == "square":
@@ -102,6 +115,17 @@ def figures(array, folder, by_force=False):
     run, drag = array.solve(folder, by_force)
     name = "F/(mu U)" if array.dims == 2 else "F/(6 pi mu a U)"
     yield run.row(name, drag[-1], array.reference)
+    # What is left falls as one over the number of steps
+    limit = 2*drag[-1] - drag[len(drag)//2 - 1]
+    yield run.row("the same, any steps", limit, array.reference)
+    if array.lattice == "face-centred":
+        yield run.row(
+            "k/a^2", permeability(array.fraction, drag[-1]),
+            permeability(array.fraction, array.reference),
+        )
+        yield run.row(
+            "k/a^2, Carman-Kozeny", carman_kozeny(array.fraction)
+        )
     yield run.row("gap/h", array.gap)
     last = abs(drag[3*len(drag)//4:]/drag[-1] - 1).max()
     yield run.row("last change, %", 100*last)
