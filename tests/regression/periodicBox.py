@@ -66,12 +66,14 @@ def set_fields(case, gradient):
         path.write_text(f"{head}boundaryField\n{{{BOUNDARY}{jump}}}\n")
 
 
-def periodic_case(folder, name, cells, dims, gradient, by_force=False):
-    """A cube, or in 2D a square, of side 1 and of cells^dims cells, with a
+def periodic_case(
+    folder, name, cells, dims, gradient, by_force=False, length=1
+):
+    """A cube, or in 2D a square, of this length and cells^dims cells, with a
     flow that a mean pressure gradient over density [m/s2] drives, by_force: a
     body force of that size."""
     case = BodyCase("tube", folder, name)
-    side = uniform(0, 1, cells)
+    side = uniform(0, length, cells)
     names = list(SIDES)[:2*dims]
     boxMesh.write(
         case, side, side, side if dims == 3 else None,

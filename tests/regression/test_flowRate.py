@@ -111,3 +111,38 @@ def test_walls_across_are_refused(tmp_path):
     case.bodies(FREE.format(x=1))
     with pytest.raises(FoamError, match="not parallel to the patch 'walls'"):
         case.solve()
+
+
+def test_no_flux_where_discs_settle(tmp_path):
+    """A box without walls, in which the force balances the weight of the
+    bodies. They are a square array, turned by 45 degrees, with the drag of
+    Sangani & Acrivos at a concentration of 0.2."""
+    ratio, g = 3, 20
+    case = periodic_case(tmp_path, "settling", 32, 2, 0, True)
+    direct_pressure(case)
+    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
+    case.replace(
+        "system/fvSchemes", "div(phi,U)          Gauss linear",
+        "div(phi,U)          none",
+    )
+    (case.path / "constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
+    case.gravity(g)
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius {math.sqrt(0.1/math.pi):.15g}; }}
+            densityRatio {ratio};
+            positions   ((0.31 0.27 0) (0.81 0.77 0));
+            velocity    (0 0 0);
+            angularVelocity (0 0 0);
+        }}
+    """)
+    case.controls(endTime="1", deltaT="0.02")
+    values = acceleration(case.solve())
+    weight = 0.1*(ratio - 1)*g
+    assert values[-1] == pytest.approx(-2*weight, rel=2e-3)
+    speed = case.table("motion")["velocity_x"]
+    assert speed[-1] == pytest.approx(weight/(NU*51.53), rel=5e-3)
+    # Through a section, over that of the bodies: 0.1 is the depth
+    flux = case.read_dat("postProcessing/flowRate/0/surfaceFieldValue.dat")
+    assert abs(flux[:, 1]/0.1).max() < 1e-10*speed[-1]

@@ -206,3 +206,27 @@ def test_restart_while_crossing(drive, parts, tube, tmp_path):
         file = f"{folder}/{time}/{name}"
         expected = (at_once.path / file).read_bytes()
         assert (in_parts.path / file).read_bytes() == expected, name
+
+
+def test_images_may_appear_within_a_time_step(tmp_path):
+    """Discs that move by half a cell in the first step, so that some of them
+    come into reach of the ends in its later iterations only."""
+    n, radius, dt = 64, 0.045, 0.01
+    case = periodic_tube(tmp_path, "images", n, force=0)
+    positions = " ".join(
+        f"({LENGTH - radius - (0.45*i + 4)/n:.12g} {(i - 3.5)/9:.12g} 0)"
+        for i in range(8)
+    )
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius {radius}; }}
+            densityRatio 100;
+            positions   ({positions});
+            velocity    (0 0 0);
+        }}
+    """)
+    case.gravity(0.5/n/dt**2)
+    case.controls(endTime=f"{2*dt}", deltaT=f"{dt}")
+    log = case.solve()
+    assert "repeated" not in log

@@ -210,6 +210,12 @@ bool Foam::bodyRegion::stillValid(const immersedBody& body) const
 
 bool Foam::bodyRegion::follow(const immersedBody& body)
 {
+    // One that is new, of an image that came within a time step
+    if (searchMargin_ < 0)
+    {
+        return false;
+    }
+
     const bodyState& state = body.state();
     const vector move(state.position - position_);
     const quaternion turn(state.orientation*conjugate(orientation_));
