@@ -3,6 +3,8 @@
 
 import re
 
+import numpy as np
+
 from foamCase import FoamError
 
 LOCKED = "constraints { translate (0 0 0); rotate (0 0 0); }"
@@ -40,6 +42,14 @@ def set_direct(case):
 def set_viscosity(case, nu):
     """nu of a case whose file says 0.5."""
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
+
+
+def driving_force(case):
+    """Acceleration of flowRateForce [m/s2] at the end of each time step."""
+    log = (case.path / "log.foamRun").read_text()
+    steps = log.split("\nTime = ")[1:]
+    found = [re.findall(r"acceleration (\S+) m/s2", step) for step in steps]
+    return np.array([values[-1] for values in found if values], dtype=float)
 
 
 class Result:
