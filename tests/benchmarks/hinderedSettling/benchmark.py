@@ -20,6 +20,8 @@ FRACTIONS = 0.1, 0.2
 COURANT = 1
 # Time to forget the start, and end, by the Reynolds number
 TIMES = {1: (5, 20), 20: (10, 30)}
+# Of the random places, by the Reynolds number
+SEEDS = {1: (1,), 20: (1, 2)}
 # Blocks of the time mean
 BLOCKS = 5
 # Window of the single sphere: width, ahead, behind
@@ -99,7 +101,7 @@ def box_case(folder, name, reynolds, n, centres):
     return case
 
 
-def suspension(folder, reynolds, fraction, single, quick=False):
+def suspension(folder, reynolds, fraction, single, seed=1, quick=False):
     """Rows of a suspension of this solid fraction, about."""
     number = NUMBER
     begin, end = TIMES[reynolds]
@@ -108,9 +110,10 @@ def suspension(folder, reynolds, fraction, single, quick=False):
     side = n/CELLS
     fraction = number*math.pi/(6*side**3)
     name = f"Re_t {reynolds:g}, solid fraction {fraction:.3f}"
+    name += f", seed {seed}"
     case = box_case(
-        folder, f"Re{reynolds:g}_{fraction:.3f}", reynolds, n,
-        random_centres(number, side, 0.1, seed=1),
+        folder, f"Re{reynolds:g}_{fraction:.3f}_{seed}", reynolds, n,
+        random_centres(number, side, 0.1, seed),
     )
     case.controls(endTime=f"{end:g}", deltaT=f"{COURANT/CELLS:.12g}")
     run = Run(case, name, CELLS, n**3, may_fail=True)
@@ -185,4 +188,7 @@ def rows(folder, quick):
         row, single = single_sphere(folder, reynolds)
         yield row
         for fraction in FRACTIONS[1:] if quick else FRACTIONS:
-            yield from suspension(folder, reynolds, fraction, single, quick)
+            for seed in SEEDS[reynolds][:1] if quick else SEEDS[reynolds]:
+                yield from suspension(
+                    folder, reynolds, fraction, single, seed, quick
+                )
