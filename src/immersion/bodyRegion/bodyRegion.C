@@ -210,8 +210,8 @@ bool Foam::bodyRegion::stillValid(const immersedBody& body) const
 
 bool Foam::bodyRegion::follow(const immersedBody& body)
 {
-    // One that is new, of an image that came within a time step
-    if (searchMargin_ < 0)
+    // One that is new, of an image that came within a time step, or has slid
+    if (searchMargin_ < 0 || slid_)
     {
         return false;
     }
@@ -220,12 +220,6 @@ bool Foam::bodyRegion::follow(const immersedBody& body)
     const vector move(state.position - position_);
     const quaternion turn(state.orientation*conjugate(orientation_));
     const vector angle((turn.w() < 0 ? -2 : 2)*turn.v());
-
-    // An image that has just come into the mesh was nowhere before
-    if (searchMargin_ < 0 || slid_)
-    {
-        return false;
-    }
 
     const scalar far = followed_ + moved(body);
 
