@@ -2,6 +2,8 @@
 """A box of equal cells that repeats itself in all directions, shifted and
 moving across its top and bottom (Lees & Edwards)."""
 
+import re
+
 import numpy as np
 
 import boxMesh
@@ -9,6 +11,9 @@ from bodyCase import BodyCase
 from boxMesh import uniform
 from foamCase import tables
 
+N = 24
+TIGHT = "coupling { tolerance 1e-11; nOuterCorrectors 60; }"
+NAMES = "velocity_x", "velocity_y", "angularVelocity_z"
 FIELD = "internalField   nonuniform List<vector>\n{n}\n(\n{rows}\n);\n"
 STRESS = """
     stress
@@ -104,3 +109,45 @@ def sliding_box(
         )
     case.run("blockMesh")
     return case
+
+
+def eddies(cells, shear, size=0.3):
+    """Shear about the middle, and four eddies, of a square of side 1."""
+    x, y, _ = 2*np.pi*centres(cells, (1, 1)).T
+    u = np.zeros((len(x), 3))
+    u[:, 0] = size*np.sin(x)*np.cos(y) + shear*(y/(2*np.pi) - 0.5)
+    u[:, 1] = -size*np.cos(x)*np.sin(y)
+    return u
+
+
+def tight(case):
+    """Solve to rounding."""
+    path = case.path / "system/fvSolution"
+    text = re.sub(r"tolerance +1e-\d+;", "tolerance 1e-14;", path.read_text())
+    path.write_text(re.sub(r"relTol +[\d.e-]+;", "relTol 0;", text))
+
+
+def prepare(folder, name, nu=0.05, end=0.1, dt=0.01, velocity=None, **box):
+    cells = box.pop("cells", (N, N))
+    case = sliding_box(folder, name, cells, **box)
+    set_velocity(case, eddies(cells, 1) if velocity is None else velocity)
+    tight(case)
+    case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
+    case.controls(
+        endTime=end, deltaT=dt, writeFormat="ascii", writePrecision=16,
+        writeControl="timeStep", writeInterval=round(end/dt),
+    )
+    return case
+
+
+def disc(x, y, speed=0, ratio=2, more=""):
+    return f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.2; }}
+            densityRatio {ratio};
+            position    ({x:.15g} {y:.15g} 0);
+            velocity    ({speed:.15g} 0 0);
+            {more}
+        }}
+    """

@@ -81,7 +81,7 @@ def usage():
 def checked():
     """Pairs of a source and a keyword that it lets pass."""
     lists = (
-        r"keywords::check\s*\((.*?)\)\s*;",
+        r"keywords::check(?:FunctionObject)?\s*\((.*?)\)\s*;",
         r"[kK]eywords(?:\(\))?(?: const)?\s*\(\{(.*?)\}\)\s*;",
         r"[kK]eywords\(\)(?: const)?\s*\{(.*?)^\}",
         r"valid\.append\s*\((.*?)\)\s*;",

@@ -27,23 +27,6 @@ tensor sum(Scene& scene, const scalar dt, const bool film = false)
 } // End anonymous namespace
 
 
-TEST_CASE("Moments of contact are kept if wanted only", "[contact]")
-{
-    const bool keep = GENERATE(false, true);
-    Scene scene("restitution 0.5; friction 0; collisionTime 0.01;");
-
-    if (keep)
-    {
-        scene.model().keepMoments();
-    }
-    scene.add(sphere, {0, 0, 0}, {1, 0, 0});
-    scene.add(sphere, {0.999, 0, 0}, {-1, 0, 0});
-    scene.step(0.001);
-
-    CHECK(scene.model().moments(0.001).size() == (keep ? 1 : 0));
-}
-
-
 TEST_CASE("Two that are pressed onto each other: force times distance")
 {
     // One is held, the other presses on it with its weight
@@ -51,7 +34,6 @@ TEST_CASE("Two that are pressed onto each other: force times distance")
     const scalar dt = 0.002, weight = 3;
     const vector up(normalised(vector(0.6, 0.5, 0.7)));
 
-    scene.model().keepMoments();
     scene.add
     (
         sphere, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, "motion { type fixed; }"
@@ -80,7 +62,6 @@ TEST_CASE("A body between two walls", "[contact]")
     Scene scene("restitution 0.2; friction 0.3; collisionTime 0.01;");
     const scalar dt = 0.002;
 
-    scene.model().keepMoments();
     scene.addPlane({0, 0, 0}, {0, 0, 1});
     scene.add(sphere, {0, 0, 0.4999}, {0, 0, 0});
     scene.g = {0, 0, -2};
@@ -99,7 +80,6 @@ TEST_CASE("Moments are those of the force between images", "[contact]")
     Scene scene("restitution 0.5; friction 0; collisionTime 0.01;");
     const scalar dt = 0.001;
 
-    scene.model().keepMoments();
     scene.periods.add({3, 0, 0}, {1, 0, 0}, {0, 0, 0});
     scene.periods.setLocal(pointField({point(0, 0, 0), point(3, 1, 1)}));
     scene.add(sphere, {0.495, 0.5, 0.5}, {-1, 0, 0});
@@ -128,7 +108,6 @@ TEST_CASE("Films of two that approach and roll", "[contact]")
     );
     const scalar dt = 1e-4;
 
-    scene.model().keepMoments();
     scene.add(sphere, {0, 0, 0}, {0.1, 0, 0}, {0, 0, 1});
     scene.add(sphere, {1.01, 0, 0}, {-0.1, 0, 0}, {0, 0, -1});
 

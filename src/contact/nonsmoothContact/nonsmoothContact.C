@@ -2,7 +2,6 @@
 
 #include "nonsmoothContact.H"
 #include "checkKeywords.H"
-#include "compat.H"
 
 Foam::contactModels::nonsmoothContact::nonsmoothContact
 (
@@ -10,6 +9,7 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
     const lubricationModel& lubrication
 )
 :
+    historyContact<contactMultiplier>("contactMultipliers"),
     tolerance_(keywords::positiveOr(dict, "tolerance", 1e-8)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.1)),
     projection_(tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)),
@@ -66,9 +66,7 @@ void Foam::contactModels::nonsmoothContact::advance
     const vector& meshU
 )
 {
-    history_.clear();
-    energy_ = oldEnergy_;
-    history_.append(old_, asleep(bodies));
+    begin(bodies);
 
     if (!search(bodies, walls, periods, dt))
     {
@@ -82,87 +80,8 @@ void Foam::contactModels::nonsmoothContact::advance
         step(bodies, walls, dt/n, meshU);
     }
 
-    for (const mover& m : movers_)
-    {
-        bodies[m.body].setContact
-        (
-            m.state, m.dU, m.dOmega, (1/dt)*m.impulse
-        );
-    }
-
+    movers_.setContact(bodies, dt);
     remember();
-}
-
-
-Foam::DynamicList<Foam::contactModel::pairMoment>
-Foam::contactModels::nonsmoothContact::moments(const scalar dt) const
-{
-    DynamicList<pairMoment> all;
-
-    for (const candidate& c : candidates_)
-    {
-        if (magSqr(c.impulse) > 0)
-        {
-            all.append
-            (
-                pairMoment
-                {
-                    movers_[c.a].body,
-                    c.b < 0 ? -1 : movers_[c.b].body,
-                    c.shift,
-                    c.impulse/dt,
-                    c.moment/dt,
-                    Zero
-                }
-            );
-        }
-    }
-
-    return all;
-}
-
-
-void Foam::contactModels::nonsmoothContact::endStep()
-{
-    oldEnergy_ = energy_;
-
-    vectorList packed(history_.pack());
-
-    // As the states of the bodies: the copies must not drift apart
-    if (Pstream::parRun())
-    {
-        compat::broadcast(packed);
-    }
-    old_.unpack(packed);
-}
-
-
-void Foam::contactModels::nonsmoothContact::readState(const dictionary& dict)
-{
-    old_.unpack
-    (
-        dict.lookupOrDefault<vectorList>("contactMultipliers", vectorList())
-    );
-    history_ = old_;
-
-    const vector lost(dict.lookupOrDefault<vector>("contactLosses", Zero));
-    oldEnergy_.dashpots = lost.x();
-    energy_ = oldEnergy_;
-}
-
-
-void Foam::contactModels::nonsmoothContact::writeState(Ostream& os) const
-{
-    // As text, whatever the format
-    os.writeKeyword("contactMultipliers") << token::BEGIN_LIST;
-
-    for (const vector& v : old_.pack())
-    {
-        os  << token::SPACE << v;
-    }
-    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
-
-    os.writeEntry("contactLosses", vector(oldEnergy_.dashpots, 0, 0));
 }
 
 

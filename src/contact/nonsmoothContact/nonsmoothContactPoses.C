@@ -19,14 +19,9 @@ void Foam::contactModels::nonsmoothContact::place
     PtrList<immersedBody>& bodies
 ) const
 {
-    for (const mover& m : movers_)
+    for (const contactMover& m : movers_)
     {
-        // Distances are measured where the body is; its velocities stay
-        bodyState placed(bodies[m.body].state());
-
-        placed.position = m.state.position;
-        placed.orientation = m.state.orientation;
-        bodies[m.body].setState(placed);
+        m.place(bodies[m.body]);
     }
 }
 
@@ -38,7 +33,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::smallestHalfWidth
 {
     scalar width = GREAT;
 
-    for (const mover& m : movers_)
+    for (const contactMover& m : movers_)
     {
         width = min(width, bodies[m.body].shape().width());
     }
@@ -56,7 +51,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
 
     projection_.clear();
 
-    for (const mover& m : movers_)
+    for (const contactMover& m : movers_)
     {
         projection_.append
         (
@@ -83,15 +78,11 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
 
         if (projection_.append(k))
         {
-            scalar width = bodies[movers_[c.a].body].shape().width();
-
-            if (c.b >= 0)
-            {
-                width =
-                    min(width, bodies[movers_[c.b].body].shape().width());
-            }
-
-            largest = max(largest, 2*(holds ? mag(gap) : -gap)/width);
+            largest = max
+            (
+                largest,
+                2*(holds ? mag(gap) : -gap)/movers_.width(bodies, c)
+            );
         }
     }
 
@@ -146,18 +137,6 @@ void Foam::contactModels::nonsmoothContact::keepTouches(const scalar h)
         if (t.record.live())
         {
             candidates_[t.candidate].records.append(t.record);
-        }
-    }
-}
-
-
-void Foam::contactModels::nonsmoothContact::remember()
-{
-    for (const candidate& c : candidates_)
-    {
-        for (const contactMultiplier& r : c.records)
-        {
-            history_.append(r);
         }
     }
 }

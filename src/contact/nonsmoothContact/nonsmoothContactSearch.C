@@ -28,143 +28,45 @@ Foam::scalar equivalentRadius(const Foam::immersedBody& body)
 
 bool Foam::contactModels::nonsmoothContact::search
 (
-    PtrList<immersedBody>& bodies,
+    const PtrList<immersedBody>& bodies,
     wallFacets& walls,
     const periodicity& periods,
     const scalar dt
 )
 {
-    pointField centres(bodies.size());
-    scalarField ways(bodies.size()), reach(bodies.size());
+    scalarField around(bodies.size());
 
-    movers_.clear();
-    candidates_.clear();
-
-    forAll(bodies, i)
+    forAll(around, i)
     {
-        const bodyState& old = bodies[i].oldState();
-        const bodyState& end = bodies[i].state();
-        const scalar spin = bodies[i].shape().round()
-          ? 0
-          : bodies[i].shape().boundingRadius()
-           *max(mag(old.omega), mag(end.omega));
-
-        centres[i] = old.position;
-        ways[i] = dt*(max(mag(old.U), mag(end.U)) + spin);
+        around[i] = margin*bodies[i].shape().boundingRadius();
     }
 
-    // One that is hit may go as far as the fastest
-    const scalar furthest = bodies.empty()
-      ? 0
-      : 2*max(ways) + dt*mag(periods.slideVelocity());
-    scalarField radii(bodies.size());
-
-    forAll(bodies, i)
+    if (!movers_.search(bodies, walls, periods, dt, around, around))
     {
-        radii[i] =
-            (1 + margin)*bodies[i].shape().boundingRadius() + furthest;
-        reach[i] = bodies[i].isFree() ? radii[i] : 0;
+        return false;
     }
 
-    const closePairs close(centres, radii, periods);
-    walls.update(centres, reach, periods);
+    addCandidates(bodies);
+    areas_.setSize(candidates_.size());
 
-    labelList numbers(bodies.size(), -1);
-
-    for (const closePairs::pair& p : close.pairs())
+    forAll(candidates_, i)
     {
-        if (bodies[p.a].isFree() || bodies[p.b].isFree())
+        const candidate& c = candidates_[i];
+        const immersedBody& a = bodies[movers_[c.a].body];
+        const geometricSpace& space = a.space();
+        scalar radius = equivalentRadius(a);
+
+        if (c.b >= 0)
         {
-            const label a = moverOf(bodies, numbers, p.a, dt);
-            const label b = moverOf(bodies, numbers, p.b, dt);
+            const scalar Rb = equivalentRadius(bodies[movers_[c.b].body]);
 
-            // The step begins where sliding images have been
-            addCandidate
-            (
-                bodies, a, b, p.shift - dt*p.velocity, p.velocity
-            );
+            radius *= Rb/(radius + Rb);
         }
+
+        areas_[i] = radius*(space.twoD() ? space.depth() : radius);
     }
 
-    forAll(bodies, i)
-    {
-        if (bodies[i].isFree() && walls.beside(i))
-        {
-            addCandidate
-            (
-                bodies, moverOf(bodies, numbers, i, dt), -1, Zero, Zero
-            );
-        }
-    }
-
-    return !candidates_.empty();
-}
-
-
-Foam::label Foam::contactModels::nonsmoothContact::moverOf
-(
-    const PtrList<immersedBody>& bodies,
-    labelList& numbers,
-    const label bodyi,
-    const scalar dt
-)
-{
-    if (numbers[bodyi] < 0)
-    {
-        const immersedBody& body = bodies[bodyi];
-        const bodyState& end = body.state();
-        const bodyState& start = body.oldState();
-        mover m;
-
-        m.body = bodyi;
-        m.state = start;
-        m.acceleration = (end.U - start.U)/dt;
-        m.spinRate = (end.omega - start.omega)/dt;
-        m.inverseMass = body.inverseMass();
-        m.inverseInertia = body.inverseInertia();
-        m.dU = m.dOmega = Zero;
-        m.impulse = rigidMomentum{Zero, Zero};
-
-        numbers[bodyi] = movers_.size();
-        movers_.append(m);
-    }
-
-    return numbers[bodyi];
-}
-
-
-void Foam::contactModels::nonsmoothContact::addCandidate
-(
-    const PtrList<immersedBody>& bodies,
-    const label a,
-    const label b,
-    const vector& shift,
-    const vector& velocity
-)
-{
-    const immersedBody& bodya = bodies[movers_[a].body];
-    labelPair numbers(bodya.number(), -1);
-    scalar radius = equivalentRadius(bodya);
-
-    if (b >= 0)
-    {
-        const immersedBody& bodyb = bodies[movers_[b].body];
-        const scalar Rb = equivalentRadius(bodyb);
-
-        numbers.second() = bodyb.number();
-        radius *= Rb/(radius + Rb);
-    }
-
-    const geometricSpace& space = bodya.space();
-    const scalar area = radius*(space.twoD() ? space.depth() : radius);
-
-    candidates_.append
-    (
-        candidate
-        {
-            a, b, shift, velocity, area, old_.find(numbers), Zero, Zero
-        }
-    );
+    return true;
 }
 
 
@@ -177,7 +79,7 @@ Foam::label Foam::contactModels::nonsmoothContact::nParts
 {
     scalar most = 0;
 
-    for (const mover& m : movers_)
+    for (const contactMover& m : movers_)
     {
         const bodyShape& shape = bodies[m.body].shape();
         const vector before(m.state.U - meshU);
@@ -244,9 +146,7 @@ void Foam::contactModels::nonsmoothContact::addTouch
     }
     else
     {
-        t.record.bodies.first() = bodies[movers_[c.a].body].number();
-        t.record.bodies.second() =
-            c.b < 0 ? -1 : bodies[movers_[c.b].body].number();
+        t.record.bodies = movers_.bodyNumbers(bodies, c);
     }
 
     t.record.normal = point.normal;

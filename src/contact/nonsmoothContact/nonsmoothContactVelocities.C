@@ -33,16 +33,16 @@ Foam::scalar Foam::contactModels::nonsmoothContact::opening
     const touch& t
 ) const
 {
-    const candidate& c = candidates_[t.candidate];
-    const vector& x = t.point.position;
-    vector U(c.velocity);
+    // Walls move along themselves only
+    const vector closing
+    (
+        movers_.relativeVelocity
+        (
+            candidates_[t.candidate], t.point.position, Zero
+        )
+    );
 
-    if (c.b >= 0)
-    {
-        U += movers_[c.b].state.velocity(x - c.shift);
-    }
-
-    return (U - movers_[c.a].state.velocity(x)) & t.point.normal;
+    return -closing & t.point.normal;
 }
 
 
@@ -50,7 +50,7 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
 {
     projection_.clear();
 
-    for (const mover& m : movers_)
+    for (const contactMover& m : movers_)
     {
         projection_.append
         (
@@ -71,14 +71,13 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
         const scalar gap =
             t.record.holds() ? 0 : max(t.point.gap, scalar(0));
 
-        // Walls move along themselves only
         const bool taken = projection_.append
         (
             contactOf
             (
                 t,
                 gap/h + (c.velocity & t.point.normal),
-                c.area*t.record.gamma,
+                areas_[t.candidate]*t.record.gamma,
                 h*t.record.force
             )
         );
@@ -110,24 +109,23 @@ void Foam::contactModels::nonsmoothContact::applyImpulse
 )
 {
     candidate& c = candidates_[t.candidate];
+    const scalar area = areas_[t.candidate];
+    const point& x = t.point.position;
     const vector p(impulse*t.point.normal);
-    mover& a = movers_[c.a];
-    const vector arma(t.point.position - a.state.position);
+    contactMover& a = movers_[c.a];
 
-    a.impulse = a.impulse + rigidMomentum{-p, p^arma};
-    c.impulse -= p;
-    c.moment -= p*arma;
+    movers_.addImpulse(c, x, -p);
+    a.impulse = a.impulse + rigidMomentum{-p, p^(x - a.state.position)};
 
     if (c.b >= 0)
     {
-        mover& b = movers_[c.b];
-        const vector arm(t.point.position - c.shift - b.state.position);
+        contactMover& b = movers_[c.b];
+        const vector armb(x - c.shift - b.state.position);
 
-        b.impulse = b.impulse + rigidMomentum{p, arm^p};
-        c.moment += p*arm;
+        b.impulse = b.impulse + rigidMomentum{p, armb^p};
     }
 
-    t.record.gamma = gamma(impulse - c.area*t.record.gamma, c.area);
+    t.record.gamma = gamma(impulse - area*t.record.gamma, area);
     t.record.force = impulse/h;
 }
 
@@ -141,7 +139,7 @@ void Foam::contactModels::nonsmoothContact::step
 )
 {
     place(bodies);
-    for (mover& m : movers_)
+    for (contactMover& m : movers_)
     {
         m.inverseInertia = bodies[m.body].inverseInertia();
     }
@@ -158,7 +156,7 @@ void Foam::contactModels::nonsmoothContact::step
     DynamicList<bodyState> start(movers_.size());
     forAll(movers_, i)
     {
-        mover& m = movers_[i];
+        contactMover& m = movers_[i];
         const velocityProjection::body& end = projection_[i];
 
         start.append(m.state);

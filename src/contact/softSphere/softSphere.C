@@ -3,7 +3,6 @@
 #include "softSphere.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkKeywords.H"
-#include "compat.H"
 
 namespace Foam
 {
@@ -22,12 +21,12 @@ Foam::contactModels::softSphere::softSphere
     const lubricationModel& lubrication
 )
 :
+    historyContact<springRecord>("contacts"),
     law_(contactLaw::New(dict, rho)),
     materials_(dict, law_()),
     lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
-    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2)),
-    keepMoments_(false)
+    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
     wordList ours
     ({
@@ -108,12 +107,12 @@ Foam::contactModels::softSphere::coefficients
 ) const
 {
     const label other =
-        c.b >= 0 ? movers_[c.b].material
+        c.b >= 0 ? moverMaterials_[c.b]
       : wallMaterials_.size() && point.patch >= 0
       ? wallMaterials_[point.patch]
       : -1;
 
-    return materials_.pair(movers_[c.a].material, other);
+    return materials_.pair(moverMaterials_[c.a], other);
 }
 
 
@@ -127,10 +126,7 @@ void Foam::contactModels::softSphere::advance
     const vector& meshU
 )
 {
-    history_.clear();
-    energy_ = oldEnergy_;
-    energy_.normalSprings = energy_.tangentialSprings = 0;
-    history_.append(old_, asleep(bodies));
+    begin(bodies);
 
     if (!search(bodies, h, walls, periods, dt))
     {
@@ -154,65 +150,8 @@ void Foam::contactModels::softSphere::advance
     }
     sumSprings(subDt);
 
-    for (const mover& m : movers_)
-    {
-        bodies[m.body].setContact
-        (
-            m.state, m.dU, m.dOmega, (1/dt)*m.impulse
-        );
-    }
-
+    movers_.setContact(bodies, dt);
     remember();
-}
-
-
-void Foam::contactModels::softSphere::endStep()
-{
-    oldEnergy_ = energy_;
-
-    vectorList packed(history_.pack());
-
-    // As the states of the bodies: the copies must not drift apart
-    if (Pstream::parRun())
-    {
-        compat::broadcast(packed);
-    }
-    old_.unpack(packed);
-}
-
-
-void Foam::contactModels::softSphere::readState(const dictionary& dict)
-{
-    old_.unpack(dict.lookupOrDefault<vectorList>("contacts", vectorList()));
-    history_ = old_;
-
-    const vector lost(dict.lookupOrDefault<vector>("contactLosses", Zero));
-    oldEnergy_.dashpots = lost.x();
-    oldEnergy_.tangential = lost.y();
-    oldEnergy_.lubrication = lost.z();
-    energy_ = oldEnergy_;
-}
-
-
-void Foam::contactModels::softSphere::writeState(Ostream& os) const
-{
-    // As text, whatever the format
-    os.writeKeyword("contacts") << token::BEGIN_LIST;
-
-    for (const vector& v : old_.pack())
-    {
-        os  << token::SPACE << v;
-    }
-    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
-
-    os.writeEntry
-    (
-        "contactLosses",
-        vector
-        (
-            oldEnergy_.dashpots, oldEnergy_.tangential, oldEnergy_.lubrication
-        )
-    );
 }
 
 

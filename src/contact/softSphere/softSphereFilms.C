@@ -9,11 +9,12 @@ void Foam::contactModels::softSphere::addFilm
 )
 {
     const candidate& c = candidates_[candidatei];
+    const lubricationModel::film& film = gaps_[candidatei];
 
-    if (c.film.radius > 0 && point.gap < lubrication_.range(c.film.cell))
+    if (film.radius > 0 && point.gap < lubrication_.range(film.cell))
     {
         const scalar closing =
-            relativeVelocity(c, point.position, point.wallU) & point.normal;
+            movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
 
         films_.append(gapFilm{candidatei, point, closing});
     }
@@ -26,7 +27,7 @@ Foam::vector Foam::contactModels::softSphere::rollingVelocity
 ) const
 {
     const candidate& c = candidates_[film.candidate];
-    const mover& a = movers_[c.a];
+    const contactMover& a = movers_[c.a];
     const point& x = film.point.position;
     const vector& n = film.point.normal;
     vector U(a.state.velocity(x));
@@ -38,7 +39,7 @@ Foam::vector Foam::contactModels::softSphere::rollingVelocity
     else
     {
         // The middle of the gap moves with the line of centres
-        const mover& b = movers_[c.b];
+        const contactMover& b = movers_[c.b];
         const point xb(x - c.shift);
         const scalar la = mag(x - a.state.position);
         const scalar lb = mag(xb - b.state.position);
@@ -90,7 +91,7 @@ void Foam::contactModels::softSphere::push
     // is balanced by the pressure
     auto give = [&]
     (
-        mover& m, const vector& linear, const vector& r, const vector& shear
+        contactMover& m, const vector& linear, const vector& r, const vector& shear
     )
     {
         const vector angular(r^shear);
@@ -102,14 +103,10 @@ void Foam::contactModels::softSphere::push
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + rigidMomentum{linear, angular};
-
-        if (keepMoments_)
-        {
-            c.filmMoment += linear*r + r*(linear - shear);
-        }
+        c.filmMoment += linear*r + r*(linear - shear);
     };
 
-    mover& a = movers_[c.a];
+    contactMover& a = movers_[c.a];
     const vector ra(film.point.position - a.state.position);
 
     if (c.b < 0)
@@ -118,7 +115,7 @@ void Foam::contactModels::softSphere::push
         return;
     }
 
-    mover& b = movers_[c.b];
+    contactMover& b = movers_[c.b];
     const vector rb(film.point.position - c.shift - b.state.position);
     const scalar la = mag(ra), lb = mag(rb);
     const scalar part = rolling ? (la - lb)/(la + lb) : 1;
@@ -136,7 +133,7 @@ Foam::scalar Foam::contactModels::softSphere::closingAfter
     const scalar h
 ) const
 {
-    const lubricationModel::film& f = candidates_[film.candidate].film;
+    const lubricationModel::film& f = gaps_[film.candidate];
     const scalar gap = film.point.gap;
     const scalar start = lubrication_.normalSum(f, gap + 0.5*h*film.closing);
 
@@ -189,7 +186,7 @@ void Foam::contactModels::softSphere::lubricate(const scalar h)
     for (const gapFilm& film : films_)
     {
         const candidate& c = candidates_[film.candidate];
-        const lubricationModel::film& f = c.film;
+        const lubricationModel::film& f = gaps_[film.candidate];
         const contactPoint& p = film.point;
         const Pair<scalar> masses(inverseMasses(c, p.position, p.normal));
 
@@ -213,7 +210,7 @@ void Foam::contactModels::softSphere::lubricate(const scalar h)
                 drag*(1 - 0.5*drag*inverseMass)*magSqr(U);
         };
 
-        const vector U(relativeVelocity(c, p.position, p.wallU));
+        const vector U(movers_.relativeVelocity(c, p.position, p.wallU));
         const scalar before = U & p.normal;
         const scalar after = closingAfter(film, before, masses.first(), h);
         const scalar impulse = (before - after)/masses.first();

@@ -9,17 +9,12 @@ void Foam::contactModels::softSphere::drift
     const vector& meshU
 )
 {
-    for (mover& m : movers_)
+    for (contactMover& m : movers_)
     {
         immersedBody& body = bodies[m.body];
-        bodyState placed(body.state());
 
         m.state.move(h, m.state.U - meshU, m.state.omega);
-        placed.position = m.state.position;
-        placed.orientation = m.state.orientation;
-
-        // Distances are measured where the body is; its velocities stay
-        body.setState(placed);
+        m.place(body);
 
         if (!body.shape().round())
         {
@@ -31,35 +26,6 @@ void Foam::contactModels::softSphere::drift
     {
         c.shift += h*c.velocity;
     }
-}
-
-
-Foam::vector Foam::contactModels::softSphere::relativeVelocity
-(
-    const candidate& c,
-    const point& x,
-    const vector& wallU
-) const
-{
-    const vector U(movers_[c.a].state.velocity(x));
-
-    return c.b < 0
-      ? vector(U - wallU)
-      : vector(U - c.velocity - movers_[c.b].state.velocity(x - c.shift));
-}
-
-
-Foam::scalar Foam::contactModels::softSphere::radius
-(
-    const PtrList<immersedBody>& bodies,
-    const candidate& c
-) const
-{
-    const scalar R = 0.5*bodies[movers_[c.a].body].shape().width();
-
-    return c.b < 0
-      ? R
-      : min(R, 0.5*bodies[movers_[c.b].body].shape().width());
 }
 
 
@@ -86,10 +52,7 @@ Foam::scalar Foam::contactModels::softSphere::contactRadius
 
 void Foam::contactModels::softSphere::sumForces(const bool remember)
 {
-    for (mover& m : movers_)
-    {
-        m.force = m.torque = Zero;
-    }
+    forces_ = rigidMomentum{Zero, Zero};
 
     for (touch& t : touches_)
     {
@@ -100,22 +63,23 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
             law_->force
             (
                 t.contact,
-                relativeVelocity(c, t.position, t.wallU),
+                movers_.relativeVelocity(c, t.position, t.wallU),
                 spring
             )
         );
-        mover& a = movers_[c.a];
+        const vector arma(t.position - movers_[c.a].state.position);
 
         t.force = F;
-        a.force += F;
-        a.torque += (t.position - a.state.position)^F;
+        forces_[c.a] = forces_[c.a] + rigidMomentum{F, arma^F};
 
         if (c.b >= 0)
         {
-            mover& b = movers_[c.b];
+            const vector armb
+            (
+                t.position - c.shift - movers_[c.b].state.position
+            );
 
-            b.force -= F;
-            b.torque -= (t.position - c.shift - b.state.position)^F;
+            forces_[c.b] = forces_[c.b] + rigidMomentum{-F, F^armb};
         }
 
         if (remember)
@@ -133,29 +97,45 @@ void Foam::contactModels::softSphere::kick(const scalar h)
 
     sumForces(false);
 
-    for (mover& m : movers_)
+    forAll(movers_, i)
     {
+        contactMover& m = movers_[i];
+        const rigidMomentum& F = forces_[i];
+
         start.append(m.state);
         m.state.U += 0.5*h
-           *(m.acceleration + cmptMultiply(m.inverseMass, m.force));
-        m.state.omega += 0.5*h*(m.spinRate + (m.inverseInertia & m.torque));
+           *(m.acceleration + cmptMultiply(m.inverseMass, F.linear));
+        m.state.omega += 0.5*h*(m.spinRate + (m.inverseInertia & F.angular));
     }
 
     sumForces(true);
     sumLosses(h);
-    sumMoments(h);
+    sumImpulses(h);
 
     forAll(movers_, i)
     {
-        mover& m = movers_[i];
-        const vector dU(h*cmptMultiply(m.inverseMass, m.force));
-        const vector dOmega(h*(m.inverseInertia & m.torque));
+        contactMover& m = movers_[i];
+        const rigidMomentum& F = forces_[i];
+        const vector dU(h*cmptMultiply(m.inverseMass, F.linear));
+        const vector dOmega(h*(m.inverseInertia & F.angular));
 
         m.state.U = start[i].U + h*m.acceleration + dU;
         m.state.omega = start[i].omega + h*m.spinRate + dOmega;
         m.dU += dU;
         m.dOmega += dOmega;
-        m.impulse = m.impulse + rigidMomentum{h*m.force, h*m.torque};
+        m.impulse = m.impulse + h*F;
+    }
+}
+
+
+void Foam::contactModels::softSphere::sumImpulses(const scalar h)
+{
+    for (const touch& t : touches_)
+    {
+        movers_.addImpulse
+        (
+            candidates_[t.candidate], t.position, h*t.force
+        );
     }
 }
 
@@ -167,7 +147,7 @@ void Foam::contactModels::softSphere::sumLosses(const scalar h)
         const vector& n = t.contact.normal;
         const vector U
         (
-            relativeVelocity
+            movers_.relativeVelocity
             (
                 candidates_[t.candidate], t.position, t.wallU
             )
@@ -185,7 +165,7 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
     {
         const candidate& c = candidates_[t.candidate];
         const scalar closing =
-            relativeVelocity(c, t.position, t.wallU) & t.contact.normal;
+            movers_.relativeVelocity(c, t.position, t.wallU) & t.contact.normal;
         const scalar overlap = max(0.5*h*closing - t.gap, scalar(0));
 
         energy_.normalSprings += law_->normalEnergy(t.contact, overlap);
@@ -194,20 +174,5 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
             (
                 t.contact, overlap, c.records[t.record].spring
             );
-    }
-}
-
-
-void Foam::contactModels::softSphere::remember()
-{
-    for (const candidate& c : candidates_)
-    {
-        for (const contactHistory::record& r : c.records)
-        {
-            if (r.live())
-            {
-                history_.append(r);
-            }
-        }
     }
 }

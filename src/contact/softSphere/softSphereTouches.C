@@ -48,7 +48,7 @@ Foam::Pair<Foam::scalar> Foam::contactModels::softSphere::inverseMasses
 {
     Pair<scalar> sums(0, 0);
 
-    auto add = [&](const mover& m, const vector& r)
+    auto add = [&](const contactMover& m, const vector& r)
     {
         const scalar along = m.inverseMass & vector(cmptMultiply(n, n));
 
@@ -98,11 +98,7 @@ Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
 
     contactHistory::record& r = c.records[place];
 
-    r.bodies.first() = bodies[movers_[c.a].body].number();
-    if (c.b >= 0)
-    {
-        r.bodies.second() = bodies[movers_[c.b].body].number();
-    }
+    r.bodies = movers_.bodyNumbers(bodies, c);
 
     return r;
 }
@@ -119,7 +115,7 @@ void Foam::contactModels::softSphere::addTouch
 {
     candidate& c = candidates_[candidatei];
     const scalar closing =
-        relativeVelocity(c, point.position, point.wallU) & point.normal;
+        movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
     touch t;
 
     meanOverlap
@@ -146,7 +142,7 @@ void Foam::contactModels::softSphere::addTouch
     t.contact.mass = 1/inverse.first();
     t.contact.tangentialMass = 1/inverse.second();
     t.contact.radius = contactRadius(bodies, c, point.normal);
-    t.contact.halfWidth = radius(bodies, c);
+    t.contact.halfWidth = 0.5*movers_.width(bodies, c);
     t.contact.coefficients = coefficients(c, point);
 
     if (!r.live())
@@ -196,7 +192,7 @@ void Foam::contactModels::softSphere::findTouches
                 addFilm(i, point);
             }
         }
-        else if (!apart(bodies, c, h))
+        else if (!apart(bodies, i, h))
         {
             const immersedBody& b = bodies[movers_[c.b].body];
 

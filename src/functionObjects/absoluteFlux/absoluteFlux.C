@@ -25,16 +25,7 @@ Foam::functionObjects::absoluteFlux::absoluteFlux
 :
     fvMeshFunctionObject(name, runTime, dict)
 {
-    keywords::check
-    (
-        dict,
-        {
-            // Of all function objects
-            "type", "libs", "region", "enabled", "log", "errors",
-            "timeStart", "timeEnd", "executeControl", "executeInterval",
-            "writeControl", "writeInterval", "useUserTime", "useNamePrefix"
-        }
-    );
+    keywords::checkFunctionObject(dict, wordList());
     read(dict);
 }
 

@@ -37,7 +37,6 @@ Foam::functionObjects::bodyAverages::bodyAverages
 {
     read(dict);
     bodies_.region().keepForces();
-    bodies_.contacts().keepMoments();
 
     if (bodies_.nUnresolved())
     {
@@ -50,16 +49,11 @@ Foam::functionObjects::bodyAverages::bodyAverages
 
 bool Foam::functionObjects::bodyAverages::read(const dictionary& dict)
 {
-    keywords::check
+    keywords::checkFunctionObject
     (
         dict,
         {
-            "kernel", "diameter", "direction", "layers", "fields",
-            // Of all function objects
-            "type", "libs", "region", "enabled", "log", "errors",
-            "timeStart", "timeEnd", "executeControl", "executeInterval",
-            "writeControl", "writeInterval", "writePrecision", "writeToFile",
-            "useUserTime", "useNamePrefix"
+            "kernel", "diameter", "direction", "layers", "fields"
         }
     );
 

@@ -2,7 +2,7 @@
 
 #include "stressRecord.H"
 #include "Time.H"
-#include "IOdictionary.H"
+#include "uniformState.H"
 #include <cmath>
 
 namespace Foam
@@ -33,26 +33,12 @@ Foam::stressRecord::stressRecord
     names_(names),
     averages_(names.size())
 {
-    IOobject io
-    (
-        this->name(),
-        time().timeName(),
-        "uniform",
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
+    dictionary states;
 
-    if (!io.typeHeaderOk<IOdictionary>(false))
+    if (!uniformState::read(mesh, this->name(), states))
     {
         return;
     }
-
-    // Not as an IOdictionary: the class in its header is that of this object
-    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
-    io.readHeader(is());
-    const dictionary states(io.objectPath(), dictionary::null, is());
 
     forAll(names_, i)
     {

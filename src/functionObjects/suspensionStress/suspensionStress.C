@@ -59,7 +59,6 @@ Foam::functionObjects::suspensionStress::suspensionStress
 
     record_.reset(new stressRecord(name, mesh_, names()));
     bodies_.region().keepForces();
-    bodies_.contacts().keepMoments();
 
     if (bodies_.nUnresolved())
     {
@@ -72,17 +71,12 @@ Foam::functionObjects::suspensionStress::suspensionStress
 
 bool Foam::functionObjects::suspensionStress::read(const dictionary& dict)
 {
-    keywords::check
+    keywords::checkFunctionObject
     (
         dict,
         {
             "flow", "gradient", "shearRate", "contactGap", "clusterGap",
-            "Reynolds", "start",
-            // Of all function objects
-            "type", "libs", "region", "enabled", "log", "errors",
-            "timeStart", "timeEnd", "executeControl", "executeInterval",
-            "writeControl", "writeInterval", "writePrecision", "writeToFile",
-            "useUserTime", "useNamePrefix"
+            "Reynolds", "start"
         }
     );
 

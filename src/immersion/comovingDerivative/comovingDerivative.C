@@ -6,15 +6,10 @@
 
 namespace
 {
-    //- The frame ends where the band does, but not farther away than so many
-    //  cells; farther around bodies of many cells, as it is for the shear
-    //  layers, at a part of the width, within so many cells
-    const Foam::scalar maxBand = 4;
+    //- Around bodies of many cells the frame reaches farther than the band, as
+    //  it is for the shear layers: to a part of the width, within so many cells
     const Foam::scalar partOfWidth = 0.4;
     const Foam::scalar maxReach = 6.4;
-
-    //- The part of the way there from which on it fades
-    const Foam::scalar fadeFrom = 0.8;
 
     //- Component of a displacement over the body's width that is none
     const Foam::scalar still = 1e-7;
@@ -58,112 +53,6 @@ Foam::comovingDerivative::comovingDerivative
             onSliding_.set(labelRange(patch.start(), patch.size()));
         }
     }
-}
-
-
-void Foam::comovingDerivative::add
-(
-    const immersedBody& body,
-    const vector& slide,
-    const scalar bodyPart,
-    const scalar end,
-    const bool known,
-    const UList<label>& faces,
-    const UList<point>& x,
-    const UList<scalar>& distance,
-    const std::function<scalar(label)>& h
-)
-{
-    const scalar fadeStart = fadeFrom*end;
-    const surfaceDisplacement s0(body, body.oldState());
-    const surfaceDisplacement s00(body, body.oldOldState());
-    const vector slide0(mesh_.time().deltaTValue()*slide);
-    const vector slide00(slide0 + mesh_.time().deltaT0Value()*slide);
-
-    forAll(faces, i)
-    {
-        const label facei = faces[i];
-        const scalar hi = h(i);
-        const scalar d = distance[i]/hi;
-
-        if
-        (
-            d >= end
-         || (known && faceAt_[facei] < 0)
-         || onSliding_.test(facei)
-        )
-        {
-            continue;
-        }
-
-        if (faceAt_[facei] < 0)
-        {
-            faceAt_[facei] = faces_.size();
-            faces_.append(facei);
-            s0_.append(Zero);
-            s00_.append(Zero);
-            weight_.append(0);
-        }
-
-        // Like the resistance; the one of the nearer body counts
-        const scalar fade = min((end - d)/(end - fadeStart), 1);
-        const scalar weight = fade*Foam::exp(-2*max(d, scalar(-20)));
-        const vector move(s0(x[i]) + slide0);
-
-        // No farther than a cell
-        const scalar part =
-            bodyPart*fade*weight*min(hi/max(mag(move), VSMALL), 1);
-        const label at = faceAt_[facei];
-
-        s0_[at] += part*move;
-        s00_[at] += part*(s00(x[i]) + slide00);
-        weight_[at] += weight;
-    }
-}
-
-
-void Foam::comovingDerivative::addBand
-(
-    const label regioni,
-    const bodyRegion& region,
-    const immersedBody& body,
-    const scalar bandWidth,
-    const bool known
-)
-{
-    add
-    (
-        body, region.slideVelocity(), parts_[regioni],
-        min(bandWidth, maxBand), known,
-        region.faces, region.faceX, region.faceDistance,
-        [&](const label i) { return region.faceH[i]; }
-    );
-}
-
-
-void Foam::comovingDerivative::addFarther
-(
-    const label regioni,
-    const bodyRegion& region,
-    const immersedBody& body,
-    const cellSearch& search,
-    const scalar h,
-    const scalar end
-)
-{
-    if (!near_.set(regioni))
-    {
-        near_.set(regioni, new nearFaces);
-    }
-    nearFaces& near = near_[regioni];
-
-    near.update(body, region.shift(), search, end*h);
-    add
-    (
-        body, region.slideVelocity(), parts_[regioni], end, false,
-        near.faces, near.x, near.distance,
-        [&](label) { return h; }
-    );
 }
 
 

@@ -167,6 +167,25 @@ void Foam::keywords::refuse
 }
 
 
+void Foam::keywords::checkFunctionObject
+(
+    const dictionary& dict,
+    const wordList& own
+)
+{
+    wordList valid
+    ({
+        "type", "libs", "region", "enabled", "log", "errors", "timeStart",
+        "timeEnd", "executeControl", "executeInterval", "writeControl",
+        "writeInterval", "writePrecision", "writeToFile", "useUserTime",
+        "useNamePrefix"
+    });
+
+    valid.append(own);
+    check(dict, valid);
+}
+
+
 Foam::word Foam::keywords::choice
 (
     const dictionary& dict,

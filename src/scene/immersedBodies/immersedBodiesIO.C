@@ -5,6 +5,7 @@
 #include "checkKeywords.H"
 #include "contactModel.H"
 #include "outerIteration.H"
+#include "uniformState.H"
 #include "unresolvedCoupling.H"
 
 Foam::IOdictionary Foam::immersedBodies::readProperties(const fvMesh& mesh)
@@ -71,34 +72,21 @@ const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
 
 bool Foam::immersedBodies::readState()
 {
-    IOobject io
-    (
-        typeName,
-        mesh_.time().timeName(),
-        "uniform",
-        mesh_,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
+    dictionary states;
 
-    if (!io.typeHeaderOk<IOdictionary>(false))
+    if (!uniformState::read(mesh_, typeName, states))
     {
         if (mesh_.time().value() > 0)
         {
             WarningInFunction
-                << "There is no state of the bodies, " << io.objectPath()
+                << "There is no state of the bodies, "
+                << uniformState::path(mesh_, typeName)
                 << ": they begin at the positions and velocities in "
                 << dict_.name() << ", in the fluid of this time" << nl << endl;
         }
 
         return false;
     }
-
-    // Not as an IOdictionary: the class in its header is that of this object
-    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
-    io.readHeader(is());
-    const dictionary states(io.objectPath(), dictionary::null, is());
 
     states.readIfPresent("time", clock_);
     window_.readState(states.subDict("window"));

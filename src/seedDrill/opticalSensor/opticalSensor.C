@@ -17,16 +17,11 @@ namespace functionObjects
 
 void Foam::functionObjects::opticalSensor::check(const dictionary& dict)
 {
-    keywords::check
+    keywords::checkFunctionObject
     (
         dict,
         {
-            "planes", "rate", "start", "nRadii", "light", "outlets",
-            // Of all function objects
-            "type", "libs", "region", "enabled", "log", "errors",
-            "timeStart", "timeEnd", "executeControl", "executeInterval",
-            "writeControl", "writeInterval", "writePrecision", "writeToFile",
-            "useUserTime", "useNamePrefix"
+            "planes", "rate", "start", "nRadii", "light", "outlets"
         }
     );
 

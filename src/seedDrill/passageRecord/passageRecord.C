@@ -2,7 +2,7 @@
 
 #include "passageRecord.H"
 #include "Time.H"
-#include "IOdictionary.H"
+#include "uniformState.H"
 
 namespace Foam
 {
@@ -56,26 +56,13 @@ Foam::scalar Foam::passageRecord::duration
 
 void Foam::passageRecord::readState()
 {
-    IOobject io
-    (
-        name(),
-        time().timeName(),
-        "uniform",
-        db(),
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE,
-        false
-    );
+    dictionary states;
 
-    if (!io.typeHeaderOk<IOdictionary>(false))
+    if (!uniformState::read(db(), name(), states))
     {
         return;
     }
 
-    // Not as an IOdictionary: the class in its header is that of this object
-    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
-    io.readHeader(is());
-    const dictionary states(io.objectPath(), dictionary::null, is());
     const dictionary& planes = states.subDict("planes");
 
     begin_ = states.get<scalar>("begin");

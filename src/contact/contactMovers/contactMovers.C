@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactMovers.H"
+
+Foam::label Foam::contactMovers::moverOf
+(
+    const PtrList<immersedBody>& bodies,
+    const label bodyi,
+    const scalar dt
+)
+{
+    if (numbers_[bodyi] < 0)
+    {
+        numbers_[bodyi] = size();
+        append(contactMover(bodies, bodyi, dt));
+    }
+
+    return numbers_[bodyi];
+}
+
+
+bool Foam::contactMovers::search
+(
+    const PtrList<immersedBody>& bodies,
+    wallFacets& walls,
+    const periodicity& periods,
+    const scalar dt,
+    const UList<scalar>& aroundBody,
+    const UList<scalar>& aroundWall
+)
+{
+    pointField centres(bodies.size());
+    scalarField ways(bodies.size()), radii(bodies.size()), reach(bodies.size());
+
+    forAll(bodies, i)
+    {
+        const bodyState& old = bodies[i].oldState();
+        const bodyState& end = bodies[i].state();
+        const bodyShape& shape = bodies[i].shape();
+        const scalar spin =
+            shape.round() ? 0 : max(mag(old.omega), mag(end.omega));
+
+        centres[i] = old.position;
+        ways[i] =
+            dt*(max(mag(old.U), mag(end.U)) + shape.boundingRadius()*spin);
+    }
+
+    // One that is hit may go as far as the fastest
+    const scalar furthest = bodies.empty()
+      ? 0
+      : 2*max(ways) + dt*mag(periods.slideVelocity());
+
+    forAll(bodies, i)
+    {
+        const scalar radius = bodies[i].shape().boundingRadius() + furthest;
+
+        radii[i] = radius + aroundBody[i];
+        reach[i] = bodies[i].isFree() ? radius + aroundWall[i] : 0;
+    }
+
+    const closePairs close(centres, radii, periods);
+    walls.update(centres, reach, periods);
+
+    clear();
+    pairs_.clear();
+    numbers_.setSize(bodies.size());
+    numbers_ = -1;
+
+    for (const closePairs::pair& p : close.pairs())
+    {
+        if (bodies[p.a].isFree() || bodies[p.b].isFree())
+        {
+            pair found;
+
+            found.a = moverOf(bodies, p.a, dt);
+            found.b = moverOf(bodies, p.b, dt);
+
+            // The step begins where sliding images have been
+            found.shift = p.shift - dt*p.velocity;
+            found.velocity = p.velocity;
+            pairs_.append(found);
+        }
+    }
+
+    forAll(bodies, i)
+    {
+        if (bodies[i].isFree() && walls.beside(i))
+        {
+            pair found;
+
+            found.a = moverOf(bodies, i, dt);
+            pairs_.append(found);
+        }
+    }
+
+    return !pairs_.empty();
+}
+
+
+Foam::scalar Foam::contactMovers::width
+(
+    const PtrList<immersedBody>& bodies,
+    const pair& p
+) const
+{
+    const scalar a = bodies[(*this)[p.a].body].shape().width();
+
+    return p.b < 0 ? a : min(a, bodies[(*this)[p.b].body].shape().width());
+}
+
+
+Foam::vector Foam::contactMovers::relativeVelocity
+(
+    const pair& p,
+    const point& x,
+    const vector& wallU
+) const
+{
+    const vector U((*this)[p.a].state.velocity(x));
+
+    return p.b < 0
+      ? vector(U - wallU)
+      : vector(U - p.velocity - (*this)[p.b].state.velocity(x - p.shift));
+}
+
+
+void Foam::contactMovers::addImpulse
+(
+    pair& p,
+    const point& x,
+    const vector& impulse
+) const
+{
+    p.impulse += impulse;
+    p.contactMoment += impulse*(x - (*this)[p.a].state.position);
+
+    if (p.b >= 0)
+    {
+        p.contactMoment -=
+            impulse*(x - p.shift - (*this)[p.b].state.position);
+    }
+}
+
+
+void Foam::contactMovers::setContact
+(
+    PtrList<immersedBody>& bodies,
+    const scalar dt
+) const
+{
+    for (const contactMover& m : *this)
+    {
+        bodies[m.body].setContact
+        (
+            m.state, m.dU, m.dOmega, (1/dt)*m.impulse
+        );
+    }
+}
+
+
+Foam::contactModel::pairMoment Foam::contactMovers::moment
+(
+    const pair& p,
+    const scalar dt
+) const
+{
+    return contactModel::pairMoment
+    {
+        (*this)[p.a].body,
+        p.b < 0 ? -1 : (*this)[p.b].body,
+        p.shift,
+        p.impulse/dt,
+        p.contactMoment/dt,
+        p.filmMoment/dt
+    };
+}

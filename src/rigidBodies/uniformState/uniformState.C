@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "uniformState.H"
+#include "IOdictionary.H"
+#include "Time.H"
+
+namespace
+{
+
+Foam::IOobject object
+(
+    const Foam::objectRegistry& mesh,
+    const Foam::word& name
+)
+{
+    return Foam::IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        "uniform",
+        mesh,
+        Foam::IOobject::READ_IF_PRESENT,
+        Foam::IOobject::NO_WRITE,
+        false
+    );
+}
+
+} // End anonymous namespace
+
+
+Foam::fileName Foam::uniformState::path
+(
+    const objectRegistry& mesh,
+    const word& name
+)
+{
+    return object(mesh, name).objectPath();
+}
+
+
+bool Foam::uniformState::read
+(
+    const objectRegistry& mesh,
+    const word& name,
+    dictionary& state
+)
+{
+    IOobject io(object(mesh, name));
+
+    if (!io.typeHeaderOk<IOdictionary>(false))
+    {
+        return false;
+    }
+
+    // Not as an IOdictionary: the class in its header is that of the writer
+    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
+    io.readHeader(is());
+    state = dictionary(io.objectPath(), dictionary::null, is());
+
+    return true;
+}
