@@ -5,6 +5,7 @@ import numpy as np
 
 from bodyCase import BodyCase
 from boxMesh import graded
+from grainfoam.study import analysis
 from measure import DEPTH, Run, around, set_viscosity
 
 RADIUS = 0.065
@@ -80,9 +81,9 @@ def rows(folder, quick):
         else:
             run.cpu = cpu
             lift, *others, drift = np.array(held).T
-            # Zero of the parabola through the three, next to the middle one
-            roots = np.roots(np.polyfit(heights, lift, 2)).real
-            y = roots[np.argmin(abs(roots - heights[1]))]
+            # Of the parabola through the three
+            (zero,) = analysis.zeros(heights, lift)
+            y = zero.x
             yield run.row("|y| without lift", -y, height)
             for name, values, known in zip(
                 ("V_x", "spin"), others, (speed, spin), strict=True

@@ -1,66 +1,66 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""flowRates.py NUMBER: flow rates of draws 1 to NUMBER, and how near the walls
-their grains are, to postProcessing/flowRate.dat; the arguments of solveDraw for
-those that are drawn to postProcessing/extremes."""
+"""The flow rates of all draws, and those that are drawn; as a program: writes
+the study of these, with fields, to postProcessing/extremesDict."""
 
 import pathlib
 import re
-import sys
 
 import numpy as np
+
+from grainfoam.study import results  # source etc/bashrc of grainFoam
 
 here = pathlib.Path(__file__).resolve().parent
 
 KINDS = ("free", "held")
 EXTREMES = 3
-DEPTH = 0.1
-FILE = here/"postProcessing/flowRate.dat"
-COLUMNS = ("draw", "mean|y|[m]", "Q_free[m2/s]", "Q_held[m2/s]",
-           "change_free", "change_held")
+
+STUDY = """// Written by flowRates.py: the highest and the lowest flow rates
+parameters
+{{
+    kind    {{ values ({kinds}); }}
+    draw    {{ values ({draws}); }}
+}}
+
+combine     zip;
+
+folder      extremes;
+copy        (system constant);
+link        (constant/polyMesh 0);
+commands    ("$STUDY/setUp" foamRun);
+"""
 
 
 def centres(draw):
     """Centres (n, 2) of the grains."""
-    text = (here/f"draws/{draw}/grainPositions").read_text()
+    text = (here/f"states/kindfree_draw{draw}/constant/grainPositions"
+            ).read_text()
     return np.array(re.findall(r"\((\S+) (\S+) 0\)", text), dtype=float)
 
 
-def flowRate(draw, kind):
-    """At the end, and its change in the last quarter of the time."""
-    file = here/f"draws/{draw}/{kind}/postProcessing/flowRate/0" \
-        / "surfaceFieldValue.dat"
-    Q = np.loadtxt(file)[:, 1]/DEPTH
-    return Q[-1], Q[-1]/Q[3*len(Q)//4 - 1] - 1
+def read(kind):
+    """Columns of the table: draw, Q, change, and mean |y| of the grains."""
+    table = results.read_table(here/"postProcessing/study.csv")
+    chosen = table["kind"] == kind
+    columns = {name: table[name][chosen] for name in ("draw", "Q", "change")}
+    columns["draw"] = columns["draw"].astype(int)
+    columns["height"] = np.array(
+        [np.mean(np.abs(centres(draw)[:, 1])) for draw in columns["draw"]])
+    return columns
 
 
-def read():
-    """The table by column, without units."""
-    names = [re.sub(r"\[.*", "", name) for name in COLUMNS]
-    return dict(zip(names, np.loadtxt(FILE, ndmin=2).T))
-
-
-def extremes(table, kind):
+def extremes(table):
     """Draws of the highest flow rates, best first, and of the lowest, worst
     last."""
-    order = table["draw"][np.argsort(-table[f"Q_{kind}"])].astype(int)
+    order = table["draw"][np.argsort(-table["Q"])]
     return [*order[:EXTREMES], *order[-EXTREMES:]]
 
 
 def main():
-    rows = []
-    for draw in range(1, int(sys.argv[1]) + 1):
-        rates, changes = zip(*(flowRate(draw, kind) for kind in KINDS))
-        height = np.mean(np.abs(centres(draw)[:, 1]))
-        rows.append((draw, height, *rates, *changes))
-
-    FILE.parent.mkdir(exist_ok=True)
-    np.savetxt(FILE, rows, fmt=("%d", "%.4f", *2*("%.6f",), *2*("%.1e",)),
-               delimiter="\t", header="\t".join(COLUMNS))
-
-    table = read()
-    lines = [f"{draw} {kind} fields\n" for kind in KINDS
-             for draw in extremes(table, kind)]
-    (FILE.parent/"extremes").write_text("".join(lines))
+    pairs = [(kind, str(draw)) for kind in KINDS
+             for draw in extremes(read(kind))]
+    kinds, draws = (" ".join(words) for words in zip(*pairs))
+    (here/"postProcessing/extremesDict").write_text(
+        STUDY.format(kinds=kinds, draws=draws))
 
 
 if __name__ == "__main__":

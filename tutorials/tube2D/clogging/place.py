@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""place.py NUMBER: centres of grains at random for draws 1 to NUMBER, in
-draws/<draw>/grainPositions; a draw is the same in any number of them."""
+"""place.py DRAW: centres of grains at random for this draw, in
+constant/grainPositions; a draw is the same in any number of them."""
 
-import pathlib
 import sys
 
 import numpy as np
-
-here = pathlib.Path(__file__).resolve().parent
 
 GRAINS, RADIUS = 20, 0.065
 
@@ -29,10 +26,8 @@ def place(random):
     return centres
 
 
-for draw in range(1, int(sys.argv[1]) + 1):
-    folder = here/f"draws/{draw}"
-    folder.mkdir(parents=True, exist_ok=True)
-    lines = [f"({x:.6f} {y:.6f} 0)" for x, y in
-             place(np.random.default_rng(draw))]
-    text = "\n    ".join(lines)
-    (folder/"grainPositions").write_text(f"{GRAINS}\n(\n    {text}\n)\n")
+lines = [f"({x:.6f} {y:.6f} 0)" for x, y in
+         place(np.random.default_rng(int(sys.argv[1])))]
+text = "\n    ".join(lines)
+with open("constant/grainPositions", "w") as file:
+    file.write(f"{GRAINS}\n(\n    {text}\n)\n")

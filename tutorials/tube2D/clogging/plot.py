@@ -15,6 +15,7 @@ sys.path[:0] = [f"{root}/tutorials/plotting", str(here)]
 
 import grainPlots as gp  # source etc/bashrc of grainFoam
 import flowRates
+from grainfoam.study import analysis
 from grainPlots import plt
 
 R = 0.065
@@ -23,13 +24,14 @@ R = 0.065
 EMPTY = 0.042754
 
 
-def scatter(table):
+def scatter():
     """Flow rate against how near the walls the grains are, and how often."""
     figure, axes = plt.subplots(2, 2, figsize=(9, 6), width_ratios=(3, 1))
 
     for (ax, side), kind in zip(axes, flowRates.KINDS):
-        share = table[f"Q_{kind}"]/EMPTY
-        ax.plot(table["mean|y|"], share, "o", markersize=4)
+        table = flowRates.read(kind)
+        share = table["Q"]/EMPTY
+        ax.plot(table["height"], share, "o", markersize=4)
         ax.set(xlabel="mean |y| of the grains [m]",
                ylabel="flow rate over that\nof the empty tube",
                title=f"{kind} grains")
@@ -42,13 +44,13 @@ def scatter(table):
 
 def flow(table, kind):
     """Speed and grains of the best and the worst draws."""
-    draws = flowRates.extremes(table, kind)
+    draws = flowRates.extremes(table)
     figure, axes = plt.subplots(3, 2, figsize=(11, 6), sharex=True,
                                 sharey=True)
     x, y = np.linspace(-3.97, 3.97, 800), np.linspace(-0.99, 0.99, 200)
     speeds = {}
     for draw in draws:
-        case = here/f"draws/{draw}/{kind}"
+        case = here/f"extremes/kind{kind}_draw{draw}"
         points, U = gp.readPlane(case, "U", gp.planeTimes(case)[-1])
         speeds[draw] = gp.resample(points, np.hypot(*U.T[:2]), x, y)
     largest = max(speed.max() for speed in speeds.values())
@@ -57,7 +59,7 @@ def flow(table, kind):
         image = gp.drawField(ax, x, y, speeds[draw], (0, largest), "viridis")
         for centre in flowRates.centres(draw):
             gp.drawGrain(ax, centre, R, linewidth=0.6)
-        Q = table[f"Q_{kind}"][table["draw"] == draw][0]
+        Q = table["Q"][table["draw"] == draw][0]
         ax.set_title(f"draw {draw}: Q = {Q:.5f} m²/s")
         ax.axhline(-1, color="k", linewidth=2)
         ax.axhline(1, color="k", linewidth=2)
@@ -70,13 +72,15 @@ def flow(table, kind):
 
 
 def main():
-    table = flowRates.read()
-    scatter(table)
+    scatter()
     for kind in flowRates.KINDS:
+        table = flowRates.read(kind)
         flow(table, kind)
-        Q, change = table[f"Q_{kind}"], table[f"change_{kind}"]
-        slope = np.corrcoef(table["mean|y|"], Q)[0, 1]
-        print(f"{kind}: Q {Q.min():.5f} to {Q.max():.5f}, mean {Q.mean():.5f}, "
+        Q, change = table["Q"], table["change"]
+        slope = np.corrcoef(table["height"], Q)[0, 1]
+        _, low, high = analysis.mean_interval(Q)
+        print(f"{kind}: Q {Q.min():.5f} to {Q.max():.5f}, mean {Q.mean():.5f} "
+              f"({low:.5f} to {high:.5f} with 95 %), "
               f"standard deviation {Q.std(ddof=1):.5f} m2/s; correlation with "
               f"mean |y| {slope:.2f}; largest change in the last quarter of "
               f"the time {100*np.abs(change).max():.2f} %")

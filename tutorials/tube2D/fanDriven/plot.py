@@ -24,7 +24,7 @@ reference = 0.08608
 def main():
     grains = {}
     for F in forces:
-        grains[F], = gp.readMotion(here/f"F{F}").values()
+        grains[F], = gp.readMotion(here/f"states/F{F}").values()
 
     figure, ax = plt.subplots(figsize=(6, 4))
     for F, grain in grains.items():

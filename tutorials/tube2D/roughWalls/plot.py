@@ -34,7 +34,7 @@ def profile():
     y = np.linspace(-1, 1, 201)
 
     for i, a in enumerate(friction):
-        case = here/f"a{a}"
+        case = here/f"states/a{a}"
         points, U = gp.readPlane(case, "U", gp.planeTimes(case)[-1])
         x = points[np.argmin(abs(points[:, 0] - 2)), 0]
         column = abs(points[:, 0] - x) < 1e-6
@@ -59,7 +59,7 @@ def speed():
         ax.plot(a, undisturbed[i], "--", color="0.5", label="undisturbed flow")
         values = []
         for f in friction:
-            grain, = gp.readMotion(here/f"a{f}").values()
+            grain, = gp.readMotion(here/f"states/a{f}").values()
             values.append(grain[name][-1])
         ax.plot(friction, values, "o", label="grain")
         ax.plot(list(reference), [r[i] for r in reference.values()], "kx",
