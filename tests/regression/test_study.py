@@ -60,7 +60,12 @@ results
     speed {{ table run; column speed; }}
     twice {{ expression "2*speed + 0*x"; }}
 }}
-plots {{ speed {{ type curve; x x; y speed; }} }}
+plots
+{{
+    speed {{ type curve; x x; y speed; where {{ twice 9; }} }}
+    field {{ type quiver; x x; y x; u speed; v twice; }}
+    often {{ type histogram; column speed; }}
+}}
 """
 
 
@@ -75,7 +80,11 @@ def test_table(case):
     text = (case/"states/x4.5/constant/properties").read_text()
     old = (case/"constant/properties").read_text()
     assert text == old.replace("speed 2;", "speed 4.5;")
-    assert (case/"plots/speed.png").stat().st_size > 5000
+    for plot in "speed", "field", "often":
+        assert (case/f"plots/{plot}.png").stat().st_size > 5000
+    assert "speed: mean 4.5, 95 % of means between" in done.stdout
+    write(case, RUN.replace("twice 9;", "twice 8;"))
+    assert "no state is as 'where' says" in study(case).stdout
 
 
 def test_what_is_there_is_not_run(case):

@@ -5,8 +5,9 @@ parameters, histograms with intervals."""
 import numpy as np
 
 from . import analysis
+from .dictionary import Dictionary
 
-LABELS = {"xLabel", "yLabel", "title"}
+COMMON = {"type", "where", "xLabel", "yLabel", "title"}
 
 
 def column(content, table, key):
@@ -20,20 +21,20 @@ def column(content, table, key):
 def curve(content, table, axes):
     """y against x, a line for each value of `group`; with `zeros yes` the zeros
     and whether they are stable."""
-    content.check({"type", "x", "y", "group", "zeros", "logX", *LABELS})
+    content.check({"x", "y", "group", "zeros", "logX", *COMMON})
     x, y = column(content, table, "x"), column(content, table, "y")
     groups = column(content, table, "group") if "group" in content else \
         np.zeros(len(x))
     lines = []
     for value in dict.fromkeys(groups):
-        chosen = groups == value
-        order = np.argsort(x[chosen])
+        rows = groups == value
+        order = np.argsort(x[rows])
         label = f"{content.get('group')} = {value:g}" \
             if "group" in content and not isinstance(value, str) else value
-        axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3,
+        axes.plot(x[rows][order], y[rows][order], "o-", markersize=3,
                   label=label if "group" in content else None)
         if content.get("zeros", "no") == "yes":
-            for zero in analysis.zeros(x[chosen], y[chosen]):
+            for zero in analysis.zeros(x[rows], y[rows]):
                 fill = "k" if zero.stability == "stable" else "w"
                 axes.plot(zero.x, 0, "ko", markerfacecolor=fill, zorder=3)
                 lines.append(
@@ -53,7 +54,7 @@ def curve(content, table, axes):
 
 def quiver(content, table, axes):
     """Arrows (u, v) over x and y, all of one length, coloured by magnitude."""
-    content.check({"type", "x", "y", "u", "v", *LABELS})
+    content.check({"x", "y", "u", "v", *COMMON})
     x, y, u, v = (column(content, table, key) for key in "xyuv")
     size = np.hypot(u, v)
     scale = np.where(size > 0, size, 1)
@@ -67,7 +68,7 @@ def quiver(content, table, axes):
 def histogram(content, table, axes):
     """How often a column has which value, with 95 % intervals of the bars and
     of the mean."""
-    content.check({"type", "column", "bins", *LABELS})
+    content.check({"column", "bins", *COMMON})
     values = column(content, table, "column")
     counts, edges = np.histogram(
         values, bins=content.whole("bins", max(8, len(values)//20), 1))
@@ -83,6 +84,21 @@ def histogram(content, table, axes):
     return [f"{content.get('column')}: mean {mean:.6g}, 95 % of means between"
             f" {low:.6g} and {high:.6g}; standard deviation"
             f" {np.std(values, ddof=1):.4g}, {len(values)} states"]
+
+
+def chosen(content, table):
+    """The rows of the table in which columns have the values of `where`."""
+    if "where" not in content:
+        return table
+    wanted = content.get("where")
+    if not isinstance(wanted, Dictionary):
+        raise content.error("'where' has to be a dictionary of columns")
+    rows = np.full(len(next(iter(table.values()))), True)
+    for name, value in wanted.entries.items():
+        if name not in table:
+            raise wanted.error(f"'{name}': the table has {' '.join(table)}")
+        rows &= table[name] == value
+    return {name: values[rows] for name, values in table.items()}
 
 
 TYPES = {"curve": curve, "quiver": quiver, "histogram": histogram}
@@ -103,8 +119,12 @@ def draw(study, table, folder):
 
     lines = []
     for name, content in study.dictionaries("plots").items():
+        rows = chosen(content, table)
+        if not len(next(iter(rows.values()))):
+            lines.append(f"Plot '{name}': no state is as 'where' says")
+            continue
         figure, axes = plt.subplots(figsize=(6, 4.2))
-        lines += TYPES[content.get("type")](content, table, axes)
+        lines += TYPES[content.get("type")](content, rows, axes)
         for key, setter in (("xLabel", axes.set_xlabel),
                             ("yLabel", axes.set_ylabel),
                             ("title", axes.set_title)):
