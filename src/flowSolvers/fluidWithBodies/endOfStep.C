@@ -15,6 +15,7 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
     continuityErrors();
     reportProgress();
     warnOfTimeStep();
+    warnOfSlip();
 
     if (good && bodies_.steady().active())
     {
@@ -124,6 +125,33 @@ void Foam::flowSolvers::fluidWithBodies::warnOfTimeStep()
         << " is not resolved. In system/controlDict 'deltaT "
         << runTime_.deltaTValue()/CoNum << "' has a Courant number of 1;"
         << " 'adjustTimeStep yes; maxCo 0.5;' keeps to one" << nl << endl;
+}
+
+
+void Foam::flowSolvers::fluidWithBodies::warnOfSlip()
+{
+    // Part of the largest speed; less is what a sudden start or few cells have
+    const scalar large = 0.25;
+    const label nSteps = runTime_.timeIndex() - runTime_.startTimeIndex();
+
+    if (warnedOfSlip_ || nSteps < 10 || !bodies_.size())
+    {
+        return;
+    }
+
+    const scalar speed =
+        CoNum*bodies_.minCellSize()/runTime_.deltaTValue();
+
+    if (bodies_.slip() > large*speed)
+    {
+        warnedOfSlip_ = true;
+        WarningInFunction
+            << "Flow goes through the bodies: its mean speed in them, relative"
+            << " to them, is " << bodies_.slip() << " m/s (largest speed about "
+            << speed << " m/s). Bodies that block the whole way of a flow whose"
+            << " rate is given leave it no other; otherwise a smaller time step"
+            << " may help" << nl << endl;
+    }
 }
 
 

@@ -15,6 +15,7 @@ Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
     ),
     startTime_(mesh.time().value()),
     warned_(false),
+    warnedOfSlip_(false),
     bodies_(ownBodies_())
 {
     checkSettings();
