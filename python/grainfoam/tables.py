@@ -24,7 +24,7 @@ import warnings
 
 import numpy as np
 
-INTEGERS = {"body", "plane", "direction", "signal"}
+INTEGERS = {"body", "plane", "direction", "signal", "state"}
 COMPONENTS = {3: "xyz", 6: ("xx", "xy", "xz", "yy", "yz", "zz"),
               9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}
 
@@ -178,7 +178,9 @@ def _joined(files):
         part = _read(file)
         time = part.get("time[s]", part.get("Time"))
         if time is None:
-            raise TableError(f"{file}: no column of the time")
+            if len(files) > 1:
+                raise TableError(f"{file}: no column of the time")
+            return part
         end = _start(following.parent) if following else np.inf
         parts.append({n: values[time <= end] for n, values in part.items()})
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stokesRun.H"
+#include "checkKeywords.H"
+#include "iterativeStokes.H"
+#include "Time.H"
+
+Foam::IOdictionary Foam::stokesRun::readDict(const fvMesh& mesh)
+{
+    IOdictionary dict
+    (
+        IOobject
+        (
+            "stokesModesDict",
+            mesh.time().system(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    keywords::check
+    (
+        dict,
+        {
+            "states", "angles", "drive", "inertia", "writeFlows",
+            "tolerance", "maxIterations"
+        }
+    );
+
+    return dict;
+}
+
+
+Foam::stokesRun::stokesRun(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    dict_(readDict(mesh)),
+    equations_(mesh),
+    bodies_(mesh),
+    states_(dict_, bodies_),
+    drive_(dict_.subOrEmptyDict("drive")),
+    tolerance_(keywords::positiveOr(dict_, "tolerance", 1e-7)),
+    inertia_(dict_.lookupOrDefault("inertia", true)),
+    writeFlows_(dict_.lookupOrDefault("writeFlows", false)),
+    solver_
+    (
+        new iterativeStokes
+        (
+            equations_,
+            tolerance_,
+            label(keywords::positiveOr(dict_, "maxIterations", 500))
+        )
+    ),
+    modes_(equations_, bodies_, solver_(), drive_),
+    table_(bodies_, states_)
+{
+    bodies_.setFluid(equations_.A0(), equations_.nu());
+
+    Info<< "Stokes flows around " << bodies_.size() << " bodies: "
+        << bodies_.nModes() << " modes" << nl << "    states: "
+        << states_.size() << ", of which the table has " << table_.nDone()
+        << nl << endl;
+}
+
+
+void Foam::stokesRun::solve(const label state)
+{
+    Info<< "State " << state << ": "
+        << flatOutput(states_.positions(state)) << endl;
+
+    if (!bodies_.setPoses(states_.positions(state), states_.angles(state)))
+    {
+        Info<< "    no flows: bodies overlap, " << bodies_.overlaps().c_str()
+            << endl;
+        table_.write(state, nullptr);
+        return;
+    }
+
+    equations_.setBodies(&bodies_);
+    modes_.solve(inertia_);
+    table_.print(modes_, Info);
+    table_.write(state, &modes_);
+
+    Info<< "    residual " << modes_.residual << ", ";
+    solver_->report(Info);
+    Info<< endl;
+
+    if (modes_.residual > tolerance_)
+    {
+        WarningInFunction
+            << "The residual " << modes_.residual << " of a flow of state "
+            << state << " is larger than 'tolerance " << tolerance_
+            << "': increase 'maxIterations' in " << dict_.name() << nl << endl;
+    }
+
+    if (modes_.eigenvalues[0] <= 0)
+    {
+        WarningInFunction
+            << "The resistance of state " << state
+            << " is not positive definite: the mesh does not resolve the flow"
+            << nl << endl;
+    }
+
+    if (writeFlows_)
+    {
+        writeFlows(state);
+    }
+}
+
+
+void Foam::stokesRun::write(autoPtr<stokesFlow> flow, const word& name) const
+{
+    flow->U.rename("U." + name);
+    flow->p.rename("p." + name);
+    flow->U.write();
+    flow->p.write();
+}
+
+
+void Foam::stokesRun::writeFlows(const label state)
+{
+    const label n = bodies_.nModes();
+    const word prefix(Foam::name(state) + ".");
+
+    for (label i = 0; i < n; ++i)
+    {
+        write(modes_.flow(i), prefix + table_.name(i));
+    }
+    write(modes_.flow(n), prefix + "fixed");
+    write(modes_.flow(n + 1), prefix + "free");
+}
+
+
+void Foam::stokesRun::run()
+{
+    const scalar start = mesh_.time().elapsedClockTime();
+    label left = states_.size() - table_.nDone();
+    label n = 0;
+
+    for (label state = 0; state < states_.size(); ++state)
+    {
+        if (table_.has(state))
+        {
+            continue;
+        }
+        solve(state);
+        ++n;
+        --left;
+
+        const scalar taken = mesh_.time().elapsedClockTime() - start;
+
+        Info<< "    states left " << left << ", time left "
+            << round(taken*left/n) << " s" << nl << endl;
+    }
+}

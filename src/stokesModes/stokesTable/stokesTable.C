@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stokesTable.H"
+#include "compat.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+namespace
+{
+    const char axes[] = "xyz";
+
+    //- Digits of numbers in the table
+    const int precision = 12;
+
+    //- Difference of positions that their digits can have
+    const Foam::scalar rounding = 1e-10;
+}
+
+
+Foam::word Foam::stokesTable::name(const label mode) const
+{
+    const rigidMotion motion(bodies_.motion(mode));
+    word name;
+
+    for (direction cmpt = 0; cmpt < 3; ++cmpt)
+    {
+        if (motion.U[cmpt] > 0)
+        {
+            name = word(std::string(1, axes[cmpt]));
+        }
+        if (motion.omega[cmpt] > 0)
+        {
+            name = word(std::string("r") + axes[cmpt]);
+        }
+    }
+
+    return name + Foam::name(motion.body);
+}
+
+
+Foam::string Foam::stokesTable::header() const
+{
+    const label n = bodies_.nModes();
+    string line("# state");
+
+    const auto add = [&](const std::string& column)
+    {
+        line += "\t" + column;
+    };
+
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        for (const char* kind : {"p", "a"})
+        {
+            for (label i = 0; i < 3 && (*kind == 'p' || states_.turned()); ++i)
+            {
+                add
+                (
+                    kind + std::string(1, axes[i]) + Foam::name(bodyi)
+                  + (*kind == 'p' ? "[m]" : "[rad]")
+                );
+            }
+        }
+    }
+
+    for (const char* quantity : {"V", "V1", "B", "C"})
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            add(quantity + ("_" + name(i)));
+        }
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            add("A_" + name(i) + "_" + name(j));
+        }
+    }
+    add("asymmetry");
+    add("leastEigenvalue");
+    add("residual");
+
+    return line;
+}
+
+
+Foam::scalarList Foam::stokesTable::poses(const label state) const
+{
+    DynamicList<scalar> poses;
+
+    forAll(states_.positions(state), bodyi)
+    {
+        for (direction i = 0; i < 3; ++i)
+        {
+            poses.append(states_.positions(state)[bodyi][i]);
+        }
+        for (direction i = 0; i < 3 && states_.turned(); ++i)
+        {
+            poses.append(states_.angles(state)[bodyi][i]);
+        }
+    }
+
+    return scalarList(std::move(poses));
+}
+
+
+Foam::DynamicList<Foam::string> Foam::stokesTable::read()
+{
+    DynamicList<string> lines;
+    IFstream is(file_);
+    string line;
+
+    while (is.good() && is.getLine(line).good())
+    {
+        if (lines.empty())
+        {
+            if (line != header())
+            {
+                FatalErrorInFunction
+                    << file_ << " has other columns than the states of"
+                    << " system/stokesModesDict: move it away" << nl
+                    << exit(FatalError);
+            }
+            lines.append(line);
+            continue;
+        }
+
+        std::istringstream row(line);
+        label state = -1;
+        row >> state;
+        bool same = state >= 0 && state < states_.size();
+
+        if (same)
+        {
+            for (const scalar expected : poses(state))
+            {
+                scalar value = GREAT;
+                row >> value;
+                same = same
+                 && mag(value - expected) <= rounding*max(mag(expected), 1);
+            }
+        }
+        if (!same)
+        {
+            FatalErrorInFunction
+                << "Row '" << state << "' of " << file_
+                << " is of another state than that in system/stokesModesDict:"
+                << " move the table away" << nl << exit(FatalError);
+        }
+        done_.insert(state);
+        lines.append(line);
+    }
+
+    return lines;
+}
+
+
+Foam::stokesTable::stokesTable
+(
+    const stokesBodies& bodies,
+    const stokesStates& states
+)
+:
+    bodies_(bodies),
+    states_(states),
+    file_
+    (
+        bodies.mesh().time().globalPath()/"postProcessing/stokesModes"
+       /bodies.mesh().time().timeName()/"stokesModes.dat"
+    )
+{
+    if (Pstream::master())
+    {
+        DynamicList<string> lines;
+
+        if (isFile(file_))
+        {
+            lines = read();
+        }
+        if (lines.empty())
+        {
+            lines.append(header());
+        }
+
+        // A row that was not written to its end is left out
+        mkDir(file_.path());
+        os_.reset(new OFstream(file_));
+
+        for (const string& line : lines)
+        {
+            os_() << line.c_str() << nl;
+        }
+        os_().flush();
+    }
+
+    labelList done(done_.sortedToc());
+    compat::broadcast(done);
+    done_.insert(done);
+}
+
+
+void Foam::stokesTable::write
+(
+    const label state,
+    const UList<scalar>& values
+)
+{
+    std::ostream& os = os_().stdStream();
+
+    os.precision(precision);
+    os << state;
+
+    for (const scalar value : poses(state))
+    {
+        os << '\t' << value;
+    }
+    for (const scalar value : values)
+    {
+        os << '\t' << value;
+    }
+    os << std::endl;
+}
+
+
+void Foam::stokesTable::write(const label state, const stokesModes* modes)
+{
+    const label n = bodies_.nModes();
+    DynamicList<scalar> values;
+
+    if (modes)
+    {
+        values.append(modes->V);
+        values.append(modes->V1);
+        values.append(modes->B);
+        values.append(modes->C);
+
+        for (label i = 0; i < n*n; ++i)
+        {
+            values.append(modes->A.v()[i]);
+        }
+        values.append(modes->asymmetry);
+        values.append(modes->eigenvalues[0]);
+        values.append(modes->residual);
+    }
+    else
+    {
+        values.resize
+        (
+            4*n + n*n + 3,
+            std::numeric_limits<scalar>::quiet_NaN()
+        );
+    }
+
+    done_.insert(state);
+
+    if (Pstream::master())
+    {
+        write(state, values);
+    }
+}
+
+
+void Foam::stokesTable::print(const stokesModes& modes, Ostream& os) const
+{
+    const label n = bodies_.nModes();
+
+    os  << "    mode  V  V1  B  C  rows of A" << nl;
+
+    for (label i = 0; i < n; ++i)
+    {
+        os  << "    " << name(i) << "  " << modes.V[i] << "  " << modes.V1[i]
+            << "  " << modes.B[i] << "  " << modes.C[i] << " ";
+
+        for (label j = 0; j < n; ++j)
+        {
+            os  << ' ' << modes.A(i, j);
+        }
+        os  << nl;
+    }
+
+    os  << "    eigenvalues of A " << flatOutput(modes.eigenvalues)
+        << ", largest |A - A^T| " << modes.asymmetry << nl
+        << "    mobility " << flatOutput(UList<scalar>
+           (
+               const_cast<scalar*>(modes.mobility.v()), n*n
+           ))
+        << nl;
+}
