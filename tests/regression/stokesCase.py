@@ -6,10 +6,16 @@
     table["V_x0"][0]
 """
 
+import boxMesh
 from bodyCase import BodyCase
+from boxMesh import uniform
 from grainfoam import tables
+from periodicTube import BOUNDARY, SIDES
 
 RADIUS = 0.065
+
+# Mean speed 1 along a periodic tube
+DRIVE = "{ direction (1 0 0); meanVelocity 1; }"
 
 HEAD = """FoamFile
 {
@@ -35,6 +41,24 @@ def stokes_tube(folder, name, x, y, places, radius=RADIUS):
     """The tube of mean speed 1 between plates at y = -1 and 1."""
     case = BodyCase("tube", folder, name)
     case.mesh(x, y)
+    case.bodies(discs(places, radius))
+    return case
+
+
+def periodic_stokes_tube(
+    folder, name, cells, places, radius=RADIUS, half_length=3, walls="noSlip"
+):
+    """The same with cyclic ends, `cells` across, square but for rounding."""
+    case = BodyCase("tube", folder, name)
+    boxMesh.write(
+        case, uniform(-half_length, half_length, round(half_length*cells)),
+        uniform(-1, 1, cells), None, SIDES,
+    )
+    case.set_cyclic("left", "right")
+    case.run("blockMesh")
+    case.conditions(
+        BOUNDARY.format(walls=walls), BOUNDARY.format(walls="zeroGradient")
+    )
     case.bodies(discs(places, radius))
     return case
 

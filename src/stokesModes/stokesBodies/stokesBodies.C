@@ -128,6 +128,11 @@ bool Foam::stokesBodies::setPoses
 
         state.position = space_.inPlane(x[bodyi]);
 
+        if (periodicity_.active())
+        {
+            state.position += periodicity_.wrap(state.position).shift;
+        }
+
         if (angles.size() && mag(angles[bodyi]) > 0)
         {
             const scalar angle = mag(angles[bodyi]);

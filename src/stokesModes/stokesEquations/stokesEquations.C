@@ -3,11 +3,15 @@
 #include "stokesEquations.H"
 #include "fixedTractionVelocityFvPatchVectorField.H"
 #include "fvmLaplacian.H"
+#include "linear.H"
 
 namespace
 {
     //- As momentumEquation has it
     const Foam::scalar smoothingPart = 0.1;
+
+    //- Leak of bodies: a part of the smoothing
+    const Foam::scalar leakPart = 1e-3;
 
     //- Evaluations of conditions that follow the velocity step by step, and
     //  the change, relative, at which they have caught up
@@ -112,6 +116,12 @@ Foam::stokesEquations::stokesEquations(const fvMesh& mesh)
         dimensionedScalar(dimTime, Zero),
         "zeroGradient"
     ),
+    leak_
+    (
+        fieldIO("leak", mesh),
+        mesh,
+        dimensionedScalar(dimTime*dimLength, Zero)
+    ),
     area_(mesh.nCells(), Zero),
     bodies_(nullptr)
 {
@@ -146,6 +156,8 @@ Foam::stokesEquations::stokesEquations(const fvMesh& mesh)
     A0_.correctBoundaryConditions();
     smoothing_.primitiveFieldRef() = smoothingPart/A0_.primitiveField();
     smoothing_.correctBoundaryConditions();
+    leak_ = leakPart*linearInterpolate(smoothing_)*mesh.nonOrthDeltaCoeffs()
+       *mesh.magSf();
 
     data_ = flow(scalarField(size(), Zero), true);
     setBodies(nullptr);

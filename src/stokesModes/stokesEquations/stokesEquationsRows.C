@@ -8,21 +8,6 @@
 
 namespace
 {
-    //- Leak of bodies: a part of the smoothing
-    const Foam::scalar leakPart = 1e-3;
-
-    //- Flux through a face with the shield s; gradient [m3/s]: time scale of
-    //  the smoothing times gradient of the pressure
-    Foam::scalar shielded
-    (
-        const Foam::scalar s,
-        const Foam::scalar flux,
-        const Foam::scalar gradient
-    )
-    {
-        return (1 - s)*flux - leakPart*s*gradient;
-    }
-
     const Foam::word viscousScheme("laplacian(nuEff,U)");
 }
 
@@ -50,51 +35,37 @@ void Foam::stokesEquations::setFields(const UList<scalar>& x)
 void Foam::stokesEquations::shieldFlux()
 {
     const scalarField& shield = bodies_->faceShield();
-    const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
-    const surfaceScalarField& magSf = mesh_.magSf();
     scalarField& inside = phi_.primitiveFieldRef();
 
     forAll(inside, facei)
     {
-        if (shield[facei] > 0)
+        const scalar s = shield[facei];
+
+        if (s > 0)
         {
             const label o = mesh_.owner()[facei];
             const label n = mesh_.neighbour()[facei];
 
-            inside[facei] = shielded
-            (
-                shield[facei],
-                inside[facei],
-                min(smoothing_[o], smoothing_[n])*delta[facei]*magSf[facei]
-               *(p_[n] - p_[o])
-            );
+            inside[facei] =
+                (1 - s)*inside[facei] - s*leak_[facei]*(p_[n] - p_[o]);
         }
     }
 
     forAll(phi_.boundaryField(), patchi)
     {
         const fvPatchScalarField& p = p_.boundaryField()[patchi];
-        const fvPatchScalarField& tau = smoothing_.boundaryField()[patchi];
 
-        if (!p.coupled())
+        if (p.coupled())
         {
-            continue;
-        }
-
-        const scalarField leak
-        (
-            min(tau.patchInternalField()(), tau.patchNeighbourField()())
-           *delta.boundaryField()[patchi]*magSf.boundaryField()[patchi]
-           *(p.patchNeighbourField() - p.patchInternalField())
-        );
-        fvsPatchScalarField& phi = phi_.boundaryFieldRef()[patchi];
-
-        forAll(phi, i)
-        {
-            phi[i] = shielded
+            const scalarField s
             (
-                shield[p.patch().start() + i], phi[i], leak[i]
+                SubList<scalar>(shield, p.size(), p.patch().start())
             );
+            fvsPatchScalarField& phi = phi_.boundaryFieldRef()[patchi];
+
+            phi *= 1 - s;
+            phi -= s*leak_.boundaryField()[patchi]
+               *(p.patchNeighbourField() - p.patchInternalField());
         }
     }
 }

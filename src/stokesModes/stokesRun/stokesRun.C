@@ -2,8 +2,16 @@
 
 #include "stokesRun.H"
 #include "checkKeywords.H"
+#include "directStokes.H"
 #include "iterativeStokes.H"
 #include "Time.H"
+
+namespace
+{
+    //- Of directStokes [bytes]
+    const Foam::scalar largestTable = 4e9;
+}
+
 
 Foam::IOdictionary Foam::stokesRun::readDict(const fvMesh& mesh)
 {
@@ -25,7 +33,7 @@ Foam::IOdictionary Foam::stokesRun::readDict(const fvMesh& mesh)
         dict,
         {
             "states", "angles", "drive", "inertia", "writeFlows",
-            "tolerance", "maxIterations"
+            "tolerance", "maxIterations", "solver"
         }
     );
 
@@ -44,24 +52,62 @@ Foam::stokesRun::stokesRun(const fvMesh& mesh)
     tolerance_(keywords::positiveOr(dict_, "tolerance", 1e-7)),
     inertia_(dict_.lookupOrDefault("inertia", true)),
     writeFlows_(dict_.lookupOrDefault("writeFlows", false)),
-    solver_
-    (
-        new iterativeStokes
-        (
-            equations_,
-            tolerance_,
-            label(keywords::positiveOr(dict_, "maxIterations", 500))
-        )
-    ),
-    modes_(equations_, bodies_, solver_(), drive_),
     table_(bodies_, states_)
 {
     bodies_.setFluid(equations_.A0(), equations_.nu());
+    setSolver();
+    modes_.reset(new stokesModes(equations_, bodies_, solver_(), drive_));
 
     Info<< "Stokes flows around " << bodies_.size() << " bodies: "
         << bodies_.nModes() << " modes" << nl << "    states: "
         << states_.size() << ", of which the table has " << table_.nDone()
         << nl << endl;
+}
+
+
+void Foam::stokesRun::setSolver()
+{
+    const word name
+    (
+        keywords::choice
+        (
+            dict_, "solver", {"auto", "direct", "iterative"}, "auto"
+        )
+    );
+    const label maxIterations =
+        keywords::positiveOr(dict_, "maxIterations", 500);
+    string why("'solver iterative' is set");
+
+    if (name != "iterative")
+    {
+        grid_.reset(new tubeGrid(mesh_));
+        why = grid_->why();
+
+        if (why.empty() && tubeOperator::tableSize(grid_()) > largestTable)
+        {
+            why = "its table would take "
+              + Foam::name(tubeOperator::tableSize(grid_())/1e9) + " GB";
+        }
+    }
+
+    if (why.empty())
+    {
+        solver_.reset(new directStokes(equations_, grid_()));
+        Info<< "Stokes flows: direct solver, table of "
+            << tubeOperator::tableSize(grid_())/1e9 << " GB, made in "
+            << mesh_.time().elapsedCpuTime() << " s" << endl;
+        return;
+    }
+
+    if (name == "direct")
+    {
+        FatalIOErrorInFunction(dict_)
+            << "'solver direct' does not serve here: " << why.c_str() << nl
+            << exit(FatalIOError);
+    }
+
+    solver_.reset(new iterativeStokes(equations_, tolerance_, maxIterations));
+    Info<< "Stokes flows: iterative solver, as " << why.c_str() << endl;
 }
 
 
@@ -79,23 +125,23 @@ void Foam::stokesRun::solve(const label state)
     }
 
     equations_.setBodies(&bodies_);
-    modes_.solve(inertia_);
-    table_.print(modes_, Info);
-    table_.write(state, &modes_);
+    modes_->solve(inertia_);
+    table_.print(modes_(), Info);
+    table_.write(state, &modes_());
 
-    Info<< "    residual " << modes_.residual << ", ";
+    Info<< "    residual " << modes_->residual << ", ";
     solver_->report(Info);
     Info<< endl;
 
-    if (modes_.residual > tolerance_)
+    if (modes_->residual > tolerance_)
     {
         WarningInFunction
-            << "The residual " << modes_.residual << " of a flow of state "
+            << "The residual " << modes_->residual << " of a flow of state "
             << state << " is larger than 'tolerance " << tolerance_
             << "': increase 'maxIterations' in " << dict_.name() << nl << endl;
     }
 
-    if (modes_.eigenvalues[0] <= 0)
+    if (modes_->eigenvalues[0] <= 0)
     {
         WarningInFunction
             << "The resistance of state " << state
@@ -126,10 +172,10 @@ void Foam::stokesRun::writeFlows(const label state)
 
     for (label i = 0; i < n; ++i)
     {
-        write(modes_.flow(i), prefix + table_.name(i));
+        write(modes_->flow(i), prefix + table_.name(i));
     }
-    write(modes_.flow(n), prefix + "fixed");
-    write(modes_.flow(n + 1), prefix + "free");
+    write(modes_->flow(n), prefix + "fixed");
+    write(modes_->flow(n + 1), prefix + "free");
 }
 
 
