@@ -6,18 +6,13 @@ import math
 import roundTube
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import LOCKED, Run, around, set_profile, set_stokes
+from measure import (
+    LOCKED, Run, around, number_of_cells, set_profile, set_stokes,
+)
 
 # Radius over that of the tube: drag over 6 pi mu a U_max
 FACTORS = {0.3: 2.2289766, 0.5: 4.9953386}
 SPEED, NU = 1.5, 0.5
-
-
-def number_of_cells(case):
-    """From the owner file of the mesh, as blockMesh writes it."""
-    with open(case.path / "constant/polyMesh/owner", "rb") as file:
-        note = file.read(1000).split(b"nCells:")[1]
-    return int(note.split()[0].strip(b'";'))
 
 
 def rows(folder, quick):
