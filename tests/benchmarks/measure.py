@@ -44,12 +44,6 @@ def set_viscosity(case, nu):
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")
 
 
-def zero_of_parabola(x, values):
-    """Zero of the parabola through three points, next to the middle one."""
-    roots = np.roots(np.polyfit(x, values, 2)).real
-    return roots[np.argmin(abs(roots - x[1]))]
-
-
 def number_of_cells(case):
     """From the owner file of the mesh, as blockMesh writes it."""
     with open(case.path / "constant/polyMesh/owner", "rb") as file:

@@ -7,7 +7,6 @@ from bodyCase import BodyCase
 from boxMesh import graded
 from grainfoam.study import analysis
 from measure import DEPTH, Run, around, set_viscosity
-from measure import DEPTH, Run, around, set_viscosity, zero_of_parabola
 
 RADIUS = 0.065
 
@@ -85,7 +84,6 @@ def rows(folder, quick):
             # Of the parabola through the three
             (zero,) = analysis.zeros(heights, lift)
             y = zero.x
-            y = zero_of_parabola(heights, lift)
             yield run.row("|y| without lift", -y, height)
             for name, values, known in zip(
                 ("V_x", "spin"), others, (speed, spin), strict=True

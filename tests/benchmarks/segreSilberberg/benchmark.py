@@ -6,9 +6,8 @@ import numpy as np
 import roundTube
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import (
-    Run, number_of_cells, set_profile, set_viscosity, zero_of_parabola,
-)
+from grainfoam.study import analysis
+from measure import Run, number_of_cells, set_profile, set_viscosity
 
 # Radius over that of the tube; where Segre & Silberberg 1962 found spheres of
 # 0.05 to 0.15, over the radius of the tube
@@ -75,7 +74,8 @@ def rows(folder, quick):
         else:
             run.cpu = cpu
             lift, slip, spin, drift = np.array(held).T
-            y = zero_of_parabola(PLACES[Re], lift)
+            (zero,) = analysis.zeros(PLACES[Re], lift)
+            y = zero.x
             known = GATHER if Re <= 30 else None
             yield run.row("r/R without lift", y, known)
             for name, values in (("speed/undisturbed", slip), ("spin", spin)):
