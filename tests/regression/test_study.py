@@ -35,10 +35,13 @@ def write(case, text):
     (case/"system/studyDict").write_text(text)
 
 
+ENVIRONMENT = {**os.environ, "ECHO": "/bin/echo"}
+
+
 def study(case, *arguments):
     return subprocess.run(
         [ROOT/"bin/grainFoamStudy", *arguments], cwd=case, text=True,
-        capture_output=True, check=False)
+        capture_output=True, check=False, env=ENVIRONMENT)
 
 
 def table(case):
@@ -54,7 +57,7 @@ def all_states(case, text):
 RUN = f"""
 parameters {{ x {{ file constant/properties; entry model/speed;
                    values (3 4.5 6); }} }}
-commands ("{COMMAND}" "echo >>$STUDY/runs.$STUDY_x");
+commands ("{COMMAND}" "$ECHO >>$STUDY/runs.$STUDY_x");
 results
 {{
     speed {{ table run; column speed; }}
@@ -80,6 +83,7 @@ def test_table(case):
     text = (case/"states/x4.5/constant/properties").read_text()
     old = (case/"constant/properties").read_text()
     assert text == old.replace("speed 2;", "speed 4.5;")
+    assert (case/"states/x3/log.echo").exists()
     for plot in "speed", "field", "often":
         assert (case/f"plots/{plot}.png").stat().st_size > 5000
     assert "speed: mean 4.5, 95 % of means between" in done.stdout
@@ -109,8 +113,8 @@ def test_failures(case):
     """A state that fails is named with its command and the reason; the others
     go on; with -retry it is run again."""
     write(case, RUN.replace(
-        '"echo', '"echo FOAM FATAL ERROR; echo too fast;'
-        ' test $STUDY_x != 4.5 || test -e $STUDY/mended" "echo'))
+        '"$ECHO', '"echo FOAM FATAL ERROR; echo too fast;'
+        ' test $STUDY_x != 4.5 || test -e $STUDY/mended" "$ECHO'))
     done = study(case)
     assert done.returncode == 1
     assert "x4.5 failed: echo: too fast" in done.stderr
@@ -129,7 +133,7 @@ def test_killed(case):
     write(case, text)
     driver = subprocess.Popen(
         [ROOT/"bin/grainFoamStudy", "-jobs", "2"], cwd=case,
-        stdout=subprocess.DEVNULL)
+        stdout=subprocess.DEVNULL, env=ENVIRONMENT)
     deadline = time.monotonic() + 30
     while len(list(case.glob("states/*/state.json"))) < 3:
         assert time.monotonic() < deadline
@@ -151,7 +155,7 @@ def test_one_at_a_time(case):
     """A second driver in the same folder is refused."""
     write(case, RUN.replace(f'"{COMMAND}"', f'"sleep 1; {COMMAND}"'))
     first = subprocess.Popen([ROOT/"bin/grainFoamStudy"], cwd=case,
-                             stdout=subprocess.DEVNULL)
+                             stdout=subprocess.DEVNULL, env=ENVIRONMENT)
     while not list(case.glob("states/*/running.json")):
         time.sleep(0.02)
     second = study(case)

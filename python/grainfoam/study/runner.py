@@ -65,7 +65,8 @@ class Runner:
         self.copied = study.words("copy", ["0.orig", "constant", "system"])
         self.linked = study.words("link", [])
         self.commands = study.words("commands", ["foamRun"])
-        programs = [pathlib.Path(c.split()[0]).name for c in self.commands]
+        programs = [os.path.basename(os.path.expandvars(c.split()[0]))
+                    for c in self.commands]
         self.logs = [
             f"log.{name}" + (f".{i}" if programs.count(name) > 1 else "")
             for i, name in enumerate(programs, 1)]
