@@ -21,6 +21,9 @@ A = np.linspace(0.07, 0.93, 27)
 YP = np.linspace(-0.93, 0.93, 27)
 THETA = np.linspace(-0.5*np.pi, 0.5*np.pi, 27)
 
+# States (a, yp, theta) at the start of the runs in time
+STARTS = ((0.25, 0.1, 1.2), (0.3, -0.3, 0.6), (0.45, 0.05, 1.5))
+
 
 def places(a, yp, theta):
     """Centres of the two, (x, y) each."""
