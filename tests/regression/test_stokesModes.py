@@ -41,7 +41,7 @@ def solved(coarse, tmp_path_factory):
     """Its table, and that of a second state."""
     case = BodyCase(coarse, tmp_path_factory.mktemp("solved"))
     states = [[(-0.41, -0.33), (0.43, 0.37)], [(-0.41, -0.33), (0.43, 0.5)],
-              [(-0.2, 0), (0.2, 0)]]
+              [(-0.2, 0), (0.2, 0)], [(-0.5, -2), (0.5, 0)]]
     return case, states, solve(case, states, tolerance="1e-9")
 
 
@@ -97,7 +97,7 @@ def test_free_motion_solves_the_balance(solved):
 
 def test_overlap_is_no_number(solved):
     assert np.isfinite(solved[2]["V_x0"][:2]).all()
-    assert np.isnan(solved[2]["V_x0"][2])
+    assert np.isnan(solved[2]["V_x0"][2:]).all()
     assert solved[2]["px1"][2] == 0.2
 
 
@@ -244,7 +244,9 @@ def test_refusals(coarse, tmp_path):
     write_dict(case, angles="(((0 0 1) (0 0 1)) ((0 0 1) (0 0 1)))")
     refused(case, "'angles' has 2 states, 'states' has 1")
     write_dict(case, [[(-0.5, 0), (5, 0)]])
-    refused(case, "body 'disc1' is outside the mesh")
+    refused(case, "There is no flow", "body 'disc1' is outside the mesh")
+    write_dict(case, [[(-0.2, 0), (0.2, 0)]])
+    refused(case, "There is no flow", "bodies overlap: ", "disc0")
 
     write_dict(case)
     case.bodies("")
@@ -259,7 +261,7 @@ def test_refuses_the_table_of_other_states(solved, tmp_path):
     case.bodies(discs([(-0.41, -0.33)], WIDE))
     write_dict(case)
     refused(case, "other columns")
-    assert len(table(case)["state"]) == 3
+    assert len(table(case)["state"]) == 4
 
 
 def test_refuses_what_is_not_linear(tmp_path):

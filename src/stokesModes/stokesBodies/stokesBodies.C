@@ -91,7 +91,7 @@ void Foam::stokesBodies::setFluid(const scalarField& A0, const scalar nu)
 }
 
 
-void Foam::stokesBodies::check() const
+Foam::string Foam::stokesBodies::outside() const
 {
     labelList inside(bodies_.size(), 0);
 
@@ -102,21 +102,28 @@ void Foam::stokesBodies::check() const
     }
     compat::allReduce(inside, maxEqOp<label>());
 
+    OStringStream os;
+
     forAll(inside, bodyi)
     {
         if (!inside[bodyi])
         {
-            FatalIOErrorInFunction(dict_.subDict("bodies"))
-                << "The centre " << bodies_[bodyi].state().position
+            os  << "the centre " << bodies_[bodyi].state().position
                 << " of body '" << bodies_[bodyi].name()
-                << "' is outside the mesh, whose bounds are "
-                << mesh_.bounds() << nl << exit(FatalIOError);
+                << "' is outside the mesh, ";
         }
     }
+
+    if (!os.str().empty())
+    {
+        os  << "whose bounds are " << mesh_.bounds();
+    }
+
+    return os.str();
 }
 
 
-bool Foam::stokesBodies::setPoses
+Foam::string Foam::stokesBodies::setPoses
 (
     const UList<point>& x,
     const UList<vector>& angles
@@ -143,18 +150,24 @@ bool Foam::stokesBodies::setPoses
         bodies_[bodyi].setState(state);
     }
 
-    check();
+    const string forbidden(outside());
+
+    if (!forbidden.empty())
+    {
+        return forbidden;
+    }
+
     region_.updateGeometry(bodies_, true);
     h_.measure(bodies_, region_);
     h_.checkResolution(bodies_, dict_.subOrEmptyDict("bodies"));
 
     if (proximity_.check(bodies_, region_, h_))
     {
-        return false;
+        return "bodies overlap: " + proximity_.overlaps();
     }
     update();
 
-    return true;
+    return string();
 }
 
 

@@ -126,20 +126,3 @@ Foam::scalarField Foam::stokesBodies::loads
 
     return loads;
 }
-
-
-Foam::tmp<Foam::scalarField> Foam::stokesBodies::fluidFraction() const
-{
-    tmp<scalarField> tfluid(new scalarField(mesh_.nCells(), 1));
-
-    for (const bodyRegion& region : region_.regions())
-    {
-        forAll(region.cells, i)
-        {
-            tfluid.ref()[region.cells[i]] -=
-                immersedRegion::fractionInside(region, i);
-        }
-    }
-
-    return tfluid;
-}

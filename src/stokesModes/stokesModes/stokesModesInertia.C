@@ -30,6 +30,32 @@ Foam::autoPtr<Foam::stokesFlow> Foam::stokesModes::freeFlow(vector& W)
 }
 
 
+Foam::scalar Foam::stokesModes::insideBodies
+(
+    const label mode,
+    const vector& W
+) const
+{
+    const rigidMotion one(bodies_.motion(mode));
+    const immersedBody& body = bodies_[one.body];
+    vector v(-W), omega(Zero);
+
+    for (label i = 0; i < bodies_.nModes(); ++i)
+    {
+        const rigidMotion part(bodies_.motion(i));
+
+        if (part.body == one.body)
+        {
+            v += V[i]*part.U;
+            omega += V[i]*part.omega;
+        }
+    }
+
+    return body.volume()*((omega^v) & one.U)
+      + ((omega^(body.inertia(body.state()) & omega)) & one.omega);
+}
+
+
 void Foam::stokesModes::setInertia()
 {
     const fvMesh& mesh = equations_.mesh();
@@ -43,7 +69,6 @@ void Foam::stokesModes::setInertia()
     (
         fvc::surfaceIntegrate(flow->phi*linearInterpolate(flow->U))
     );
-    const scalarField fluid(bodies_.fluidFraction());
     const label nCells = mesh.nCells();
 
     for (label i = 0; i < n; ++i)
@@ -56,11 +81,12 @@ void Foam::stokesModes::setInertia()
 
             for (label celli = 0; celli < nCells; ++celli)
             {
-                sum += mesh.V()[celli]*fluid[celli]*transport[celli][cmpt]
+                sum += mesh.V()[celli]*transport[celli][cmpt]
                    *x_[i][k*nCells + celli];
             }
         }
-        C[i] = -returnReduce(sum, sumOp<scalar>())/bodies_.space().depth();
+        C[i] = -(returnReduce(sum, sumOp<scalar>()) - insideBodies(i, W))
+           /bodies_.space().depth();
     }
 
     V1 = denseMatrix::multiply(mobility, C);

@@ -116,10 +116,20 @@ void Foam::stokesRun::solve(const label state)
     Info<< "State " << state << ": "
         << flatOutput(states_.positions(state)) << endl;
 
-    if (!bodies_.setPoses(states_.positions(state), states_.angles(state)))
+    const string forbidden
+    (
+        bodies_.setPoses(states_.positions(state), states_.angles(state))
+    );
+
+    if (!forbidden.empty())
     {
-        Info<< "    no flows: bodies overlap, " << bodies_.overlaps().c_str()
-            << endl;
+        if (states_.size() == 1)
+        {
+            FatalIOErrorInFunction(bodies_.dict().subDict("bodies"))
+                << "There is no flow: " << forbidden.c_str() << nl
+                << exit(FatalIOError);
+        }
+        Info<< "    no flows: " << forbidden.c_str() << endl;
         table_.write(state, nullptr);
         return;
     }
@@ -181,7 +191,8 @@ void Foam::stokesRun::writeFlows(const label state)
 
 void Foam::stokesRun::run()
 {
-    const scalar start = mesh_.time().elapsedClockTime();
+    const scalar start = mesh_.time().elapsedCpuTime();
+    scalar taken = 0;
     label left = states_.size() - table_.nDone();
     label n = 0;
 
@@ -195,9 +206,10 @@ void Foam::stokesRun::run()
         ++n;
         --left;
 
-        const scalar taken = mesh_.time().elapsedClockTime() - start;
+        const scalar before = taken;
+        taken = mesh_.time().elapsedCpuTime() - start;
 
-        Info<< "    states left " << left << ", time left "
-            << round(taken*left/n) << " s" << nl << endl;
+        Info<< "    took " << taken - before << " s, states left " << left
+            << ", time left " << round(taken*left/n) << " s" << nl << endl;
     }
 }

@@ -2,7 +2,6 @@
 
 #include "stokesTable.H"
 #include "compat.H"
-#include "IFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -12,9 +11,6 @@ namespace
 
     //- Digits of numbers in the table
     const int precision = 12;
-
-    //- Difference of positions that their digits can have
-    const Foam::scalar rounding = 1e-10;
 }
 
 
@@ -103,57 +99,6 @@ Foam::scalarList Foam::stokesTable::poses(const label state) const
     }
 
     return scalarList(std::move(poses));
-}
-
-
-Foam::DynamicList<Foam::string> Foam::stokesTable::read()
-{
-    DynamicList<string> lines;
-    IFstream is(file_);
-    string line;
-
-    while (is.good() && is.getLine(line).good())
-    {
-        if (lines.empty())
-        {
-            if (line != header())
-            {
-                FatalErrorInFunction
-                    << file_ << " has other columns than the states of"
-                    << " system/stokesModesDict: move it away" << nl
-                    << exit(FatalError);
-            }
-            lines.append(line);
-            continue;
-        }
-
-        std::istringstream row(line);
-        label state = -1;
-        row >> state;
-        bool same = state >= 0 && state < states_.size();
-
-        if (same)
-        {
-            for (const scalar expected : poses(state))
-            {
-                scalar value = GREAT;
-                row >> value;
-                same = same
-                 && mag(value - expected) <= rounding*max(mag(expected), 1);
-            }
-        }
-        if (!same)
-        {
-            FatalErrorInFunction
-                << "Row '" << state << "' of " << file_
-                << " is of another state than that in system/stokesModesDict:"
-                << " move the table away" << nl << exit(FatalError);
-        }
-        done_.insert(state);
-        lines.append(line);
-    }
-
-    return lines;
 }
 
 

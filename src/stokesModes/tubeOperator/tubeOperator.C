@@ -201,8 +201,8 @@ void Foam::tubeOperator::tabulate()
         {
             for (label row = 0; row < n_; ++row)
             {
-                double* to =
-                    &table_[9*(size_t(j0)*ny + row/3)*nWaves_ + 3*(row % 3) + k];
+                const size_t block = (size_t(j0)*ny + row/3)*nWaves_;
+                double* to = &table_[9*block + 3*(row % 3) + k];
                 const double* line = &lines_[size_t(k*n_ + row)*nx_];
 
                 for (label di = 0; di < nWaves_; ++di)
