@@ -10,6 +10,9 @@ from wrongTraffic import TRAFFIC
 # What is wrong: (file, text of the case, text instead, parts of the message)
 WRONG = {
     # Keywords
+    "no header": (
+        FILE, "FoamFile", "Header", ["There is no header", "FoamFile", FILE],
+    ),
     "keyword that is required": (
         FILE, "bodies\n",
         "contact { type softSphere; law Hertz; youngModulus 1e7;"

@@ -186,6 +186,26 @@ void Foam::keywords::checkFunctionObject
 }
 
 
+Foam::IOdictionary Foam::keywords::readIfThere(const IOobject& io)
+{
+    const fileName path(io.globalFilePath(IOdictionary::typeName));
+    IOobject header(io);
+
+    if (!path.empty() && !header.typeHeaderOk<IOdictionary>(true))
+    {
+        FatalIOErrorInFunction(path)
+            << "There is no header with the class dictionary, which has to be"
+            << " the first entry: FoamFile { version 2.0; format ascii; class"
+            << " dictionary; object " << io.name() << "; }" << nl
+            << exit(FatalIOError);
+    }
+
+    header.readOpt() = IOobject::READ_IF_PRESENT;
+
+    return IOdictionary(header);
+}
+
+
 Foam::word Foam::keywords::choice
 (
     const dictionary& dict,

@@ -10,7 +10,7 @@
 
 Foam::IOdictionary Foam::immersedBodies::readProperties(const fvMesh& mesh)
 {
-    return IOdictionary
+    return keywords::readIfThere
     (
         IOobject
         (

@@ -15,16 +15,19 @@ namespace
 
 Foam::IOdictionary Foam::stokesRun::readDict(const fvMesh& mesh)
 {
-    IOdictionary dict
+    const IOdictionary dict
     (
-        IOobject
+        keywords::readIfThere
         (
-            "stokesModesDict",
-            mesh.time().system(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
+            IOobject
+            (
+                "stokesModesDict",
+                mesh.time().system(),
+                mesh,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE,
+                false
+            )
         )
     );
 

@@ -22,7 +22,7 @@ YP = np.linspace(-0.93, 0.93, 27)
 THETA = np.linspace(-0.5*np.pi, 0.5*np.pi, 27)
 
 # States (a, yp, theta) at the start of the runs in time
-STARTS = ((0.25, 0.1, 1.2), (0.3, -0.3, 0.6), (0.45, 0.05, 1.5))
+STARTS = ((0.25, 0.1, 1.2), (0.3, -0.3, 0.6))
 
 
 def places(a, yp, theta):
@@ -59,22 +59,31 @@ def rates(columns, states):
     return found
 
 
+def fits(a, yp, theta):
+    """Are the two apart from each other and from the walls?"""
+    return a > RADIUS and abs(yp) + abs(a*np.sin(theta)) < 1 - RADIUS
+
+
 def slice_states(yp):
-    """The states of a slice that are computed."""
-    return [(a, yp, theta) for a in A for theta in THETA[13:]]
+    """Indices (of a, of theta) and states of a slice that are computed."""
+    found = [((i, j), (a, yp, theta)) for i, a in enumerate(A)
+             for j, theta in enumerate(THETA[13:]) if fits(a, yp, theta)]
+    return tuple(zip(*found)) if found else ((), ())
 
 
 def read():
     """Rates at Re = 0 and to first order in all states: two arrays
-    (a, yp, theta, 3)."""
+    (a, yp, theta, 3), nan where the discs do not fit."""
     maps = np.full((2, len(A), len(YP), len(THETA), 3), np.nan)
     for i in range(14):
         yp = YP[13 + i]
         (folder,) = [f for f in here.glob("states/yp*")
                      if abs(float(f.name[2:]) - yp) < 1e-4]
-        columns = tables.run_columns(folder, "stokesModes")
-        both = np.array(rates(columns, slice_states(yp)))
-        both = both.reshape(2, len(A), 14, 3)
+        places, states = slice_states(yp)
+        if not states:
+            continue
+        both = rates(tables.run_columns(folder, "stokesModes"), states)
+        ai, ti = np.array(places).T
         for mirror_y in 1, -1:
             for mirror_x in 1, -1:
                 sign = np.ones((2, 3))
@@ -83,7 +92,7 @@ def read():
                 if mirror_x < 0:
                     sign[0, :2] *= -1
                     sign[1, 2] *= -1
-                order = 13 + mirror_y*mirror_x*np.arange(14)
-                maps[:, :, 13 + mirror_y*i, order] = \
-                    both*sign[:, None, None]
+                for order in 0, 1:
+                    maps[order, ai, 13 + mirror_y*i,
+                         13 + mirror_y*mirror_x*ti] = both[order]*sign[order]
     return maps

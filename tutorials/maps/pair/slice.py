@@ -9,4 +9,5 @@ sys.path.insert(0, os.environ["STUDY"])
 
 import pairMap
 
-pairMap.write_states(pairMap.slice_states(float(os.environ["STUDY_yp"])))
+_, states = pairMap.slice_states(float(os.environ["STUDY_yp"]))
+pairMap.write_states(states)

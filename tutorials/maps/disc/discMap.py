@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The map of one disc by its height y: by the Stokes modes, and at finite Re
+from the lift on a disc that is held. As a program: the states of the modes, to
+modes/system/stokesModesDict. All are even or odd in y, and y < 0 is computed."""
+
+import pathlib
+
+import numpy as np
+
+from grainfoam import tables  # source etc/bashrc of grainFoam
+from grainfoam.study import results
+
+here = pathlib.Path(__file__).resolve().parent
+
+HEIGHTS = np.linspace(-0.9, -0.02, 45)
+
+
+def modes():
+    """Columns of the modes, by height."""
+    columns = tables.run_columns(here/"modes", "stokesModes")
+    return {name: values for name, values in columns.items()}
+
+
+def lateral():
+    """Heights and lateral velocity over Re: {Re: (y, velocity)}, 0 being the
+    limit; at finite Re the lift over the resistance."""
+    stokes = modes()
+    found = {0: (stokes["py0"], stokes["V1_y0"])}
+    held = results.read_table(here/"window/postProcessing/held.csv")
+    for Re in dict.fromkeys(held["Re"]):
+        rows = held["Re"] == Re
+        y = held["y"][rows]
+        resistance = np.interp(y, stokes["py0"], stokes["A_y0_y0"])
+        found[Re] = y, held["lift"][rows]/resistance
+    return found
+
+
+def main():
+    rows = "\n".join(f"    ((0 {y:.6g} 0))" for y in HEIGHTS)
+    (here/"modes/system/stokesModesDict").write_text(
+        "FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
+        "    class       dictionary;\n    object      stokesModesDict;\n}\n\n"
+        f"states\n(\n{rows}\n);\n\n"
+        "drive { direction (1 0 0); meanVelocity 1; }\n")
+
+
+if __name__ == "__main__":
+    main()
