@@ -150,7 +150,7 @@ Foam::stokesEquations::stokesEquations(const fvMesh& mesh)
 
     viscous_.reset
     (
-        new fvVectorMatrix(fvm::laplacian(-nu_, U_, "laplacian(nuEff,U)"))
+        new fvVectorMatrix(fvm::laplacian(-nu_, U_, viscousScheme()))
     );
     A0_.primitiveFieldRef() = viscous_->A()().primitiveField();
     A0_.correctBoundaryConditions();

@@ -36,7 +36,7 @@ Foam::IOdictionary Foam::stokesRun::readDict(const fvMesh& mesh)
         dict,
         {
             "states", "angles", "drive", "inertia", "writeFlows",
-            "tolerance", "maxIterations", "solver"
+            "tolerance", "maxIterations", "solver", "mirrors"
         }
     );
 
@@ -54,16 +54,20 @@ Foam::stokesRun::stokesRun(const fvMesh& mesh)
     drive_(dict_.subOrEmptyDict("drive")),
     tolerance_(keywords::positiveOr(dict_, "tolerance", 1e-7)),
     inertia_(dict_.lookupOrDefault("inertia", true)),
-    writeFlows_(dict_.lookupOrDefault("writeFlows", false)),
-    table_(bodies_, states_)
+    writeFlows_(dict_.lookupOrDefault("writeFlows", false))
 {
     bodies_.setFluid(equations_.A0(), equations_.nu());
     setSolver();
     modes_.reset(new stokesModes(equations_, bodies_, solver_(), drive_));
+    mirrors_.reset
+    (
+        new stokesMirrors(dict_, equations_, bodies_, states_, drive_)
+    );
+    table_.reset(new stokesTable(bodies_, states_));
 
     Info<< "Stokes flows around " << bodies_.size() << " bodies: "
         << bodies_.nModes() << " modes" << nl << "    states: "
-        << states_.size() << ", of which the table has " << table_.nDone()
+        << states_.size() << ", of which the table has " << table_->nFound()
         << nl << endl;
 }
 
@@ -133,14 +137,14 @@ void Foam::stokesRun::solve(const label state)
                 << exit(FatalIOError);
         }
         Info<< "    no flows: " << forbidden.c_str() << endl;
-        table_.write(state, nullptr);
+        table_->write(state, scalarList());
         return;
     }
 
     equations_.setBodies(&bodies_);
     modes_->solve(inertia_);
-    table_.print(modes_(), Info);
-    table_.write(state, &modes_());
+    table_->print(modes_(), Info);
+    table_->write(state, table_->row(modes_()));
 
     Info<< "    residual " << modes_->residual << ", ";
     solver_->report(Info);
@@ -185,7 +189,7 @@ void Foam::stokesRun::writeFlows(const label state)
 
     for (label i = 0; i < n; ++i)
     {
-        write(modes_->flow(i), prefix + table_.name(i));
+        write(modes_->flow(i), prefix + table_->name(i));
     }
     write(modes_->flow(n), prefix + "fixed");
     write(modes_->flow(n + 1), prefix + "free");
@@ -196,16 +200,32 @@ void Foam::stokesRun::run()
 {
     const scalar start = mesh_.time().elapsedCpuTime();
     scalar taken = 0;
-    label left = states_.size() - table_.nDone();
+    label left = states_.size() - table_->nFound();
     label n = 0;
 
     for (label state = 0; state < states_.size(); ++state)
     {
-        if (table_.has(state))
+        if (table_->has(state))
         {
+            mirrors_->note(state);
+            continue;
+        }
+
+        const label other = mirrors_->find(state);
+
+        if (other >= 0)
+        {
+            table_->write
+            (
+                state, mirrors_->reflected(state, other, table_->row(other))
+            );
+            Info<< "State " << state << ": mirror image of state " << other
+                << nl << endl;
+            --left;
             continue;
         }
         solve(state);
+        mirrors_->note(state);
         ++n;
         --left;
 

@@ -140,18 +140,62 @@ Foam::stokesTable::stokesTable
         os_().flush();
     }
 
-    labelList done(done_.sortedToc());
-    compat::broadcast(done);
-    done_.insert(done);
+    // What the master has read
+    List<scalarList> rows;
+    DynamicList<label> numbers;
+
+    for (const auto& row : rows_)
+    {
+        numbers.append(row.first);
+        rows.append(row.second);
+    }
+    labelList known(numbers);
+    compat::broadcast(known);
+    compat::broadcast(rows);
+
+    forAll(known, i)
+    {
+        rows_[known[i]] = rows[i];
+    }
+    nFound_ = known.size();
 }
 
 
-void Foam::stokesTable::write
-(
-    const label state,
-    const UList<scalar>& values
-)
+Foam::scalarList Foam::stokesTable::row(const stokesModes& modes) const
 {
+    const label n = bodies_.nModes();
+    DynamicList<scalar> values;
+
+    values.append(modes.V);
+    values.append(modes.V1);
+    values.append(modes.B);
+    values.append(modes.C);
+
+    for (label i = 0; i < n*n; ++i)
+    {
+        values.append(modes.A.v()[i]);
+    }
+    values.append(modes.asymmetry);
+    values.append(modes.eigenvalues[0]);
+    values.append(modes.residual);
+
+    return scalarList(std::move(values));
+}
+
+
+void Foam::stokesTable::write(const label state, const scalarList& row)
+{
+    const label n = bodies_.nModes();
+
+    rows_[state] = row.size()
+      ? row
+      : scalarList(4*n + n*n + 3, std::numeric_limits<scalar>::quiet_NaN());
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
     std::ostream& os = os_().stdStream();
 
     os.precision(precision);
@@ -161,49 +205,11 @@ void Foam::stokesTable::write
     {
         os << '\t' << value;
     }
-    for (const scalar value : values)
+    for (const scalar value : rows_[state])
     {
         os << '\t' << value;
     }
     os << std::endl;
-}
-
-
-void Foam::stokesTable::write(const label state, const stokesModes* modes)
-{
-    const label n = bodies_.nModes();
-    DynamicList<scalar> values;
-
-    if (modes)
-    {
-        values.append(modes->V);
-        values.append(modes->V1);
-        values.append(modes->B);
-        values.append(modes->C);
-
-        for (label i = 0; i < n*n; ++i)
-        {
-            values.append(modes->A.v()[i]);
-        }
-        values.append(modes->asymmetry);
-        values.append(modes->eigenvalues[0]);
-        values.append(modes->residual);
-    }
-    else
-    {
-        values.resize
-        (
-            4*n + n*n + 3,
-            std::numeric_limits<scalar>::quiet_NaN()
-        );
-    }
-
-    done_.insert(state);
-
-    if (Pstream::master())
-    {
-        write(state, values);
-    }
 }
 
 

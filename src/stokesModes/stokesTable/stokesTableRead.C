@@ -7,6 +7,20 @@ namespace
 {
     //- Difference of positions that their digits can have
     const Foam::scalar rounding = 1e-10;
+
+    //- The numbers that are left of a row; streams do not read nan
+    Foam::scalarList rest(std::istream& row)
+    {
+        Foam::DynamicList<Foam::scalar> values;
+        std::string word;
+
+        while (row >> word)
+        {
+            values.append(std::strtod(word.c_str(), nullptr));
+        }
+
+        return Foam::scalarList(std::move(values));
+    }
 }
 
 
@@ -53,7 +67,7 @@ Foam::DynamicList<Foam::string> Foam::stokesTable::read()
                 << " is of another state than that in system/stokesModesDict:"
                 << " move the table away" << nl << exit(FatalError);
         }
-        done_.insert(state);
+        rows_[state] = rest(row);
         lines.append(line);
     }
 
