@@ -80,13 +80,13 @@ def migration(found):
     for i, case in enumerate(sorted((here/"window/free").glob("y*"))):
         disc, = gp.readMotion(case).values()
         t, there = disc["time"], disc["position_y"]
-        ax.plot(t, there, f"C{i}", label=f"run from y = {there[0]:g}")
+        ax.plot(t, there, f"C{i}", label=f"run from y = {there[0]:.2f}")
         mapped = [there[0]]
         for now, following in zip(t, t[1:]):
             step = RE*(following - now)
             middle = mapped[-1] + 0.5*step*np.interp(mapped[-1], y, values)
             mapped.append(mapped[-1] + step*np.interp(middle, y, values))
-        print(f"Re {RE}: from y = {there[0]:g} to {there[-1]:.4f} at t ="
+        print(f"Re {RE}: from y = {there[0]:.2f} to {there[-1]:.4f} at t ="
               f" {t[-1]:g}, by the map to {mapped[-1]:.4f}; largest difference"
               f" {np.abs(there - mapped).max():.4f}")
     ax.plot([], [], "0.6", label="by the map")
