@@ -14,7 +14,7 @@ SRC = Path(__file__).resolve().parents[2]/"src"
 ORDER = (
     "rigidBodies", "contact", "LeesEdwards", "immersion", "unresolved",
     "traffic", "scene", "linearSolvers", "fusedKernels", "fvPatchFields", "flowSolvers",
-    "functionObjects", "seedDrill",
+    "functionObjects", "seedDrill", "stokesModes",
 )
 WITHOUT_MESH = ("rigidBodies", "contact")
 ON_TOP = ORDER[7:]
@@ -87,10 +87,12 @@ def test_libraries_use_those_before_them():
         before = ORDER.index(used) < ORDER.index(user)
         # Solvers, conditions and function objects do not use each other, but
         # flow solvers the linear ones, the kernels and what conditions can do,
-        # and the seed drill what function objects share
+        # the modes of Stokes flow the latter two as well, and the seed drill
+        # what function objects share
         apart = used in ON_TOP and (user, used) not in (
             ("flowSolvers", "linearSolvers"), ("flowSolvers", "fvPatchFields"),
             ("flowSolvers", "fusedKernels"), ("seedDrill", "functionObjects"),
+            ("stokesModes", "fusedKernels"), ("stokesModes", "fvPatchFields"),
         )
         if not before or apart:
             wrong.append((one, other))

@@ -207,6 +207,35 @@ def test_sphere_in_a_box(tmp_path):
     assert [found[f"B_{n}"][0] for n in names] == pytest.approx(6*[0], abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    "along, speed, error",
+    [("zero", 0.08315700, 1e-3), ("free", 0.08607604, 2e-3)],
+)
+def test_traction(along, speed, error, tmp_path):
+    """Ends under traction 1, without or with a velocity along them: a disc in
+    the middle of the tube, body-fitted finite elements. With a velocity the
+    corners are singular, and an error of first order is left."""
+    case = BodyCase("tube", tmp_path)
+    case.controls(libs="(grainFvPatchFields)")
+    end = f"type fixedTractionVelocity; tangentialVelocity {along}; backflow 0;"
+    case.conditions(
+        f"inlet {{ {end} traction (1 0 0); }}"
+        f" outlet {{ {end} traction (0 0 0); }}"
+        " walls { type noSlip; } frontAndBack { type empty; }",
+        '"inlet|outlet" { type fixedTractionPressure; }'
+        " walls { type zeroGradient; } frontAndBack { type empty; }",
+    )
+    set_viscosity(case, 1)
+    # Four cells per diameter, not longer at the ends than across
+    case.mesh(uniform(-3, 3, 186), uniform(-1, 1, 62))
+    case.bodies(discs([(0, 0)]))
+    found = solve(case, inertia="no")
+
+    assert found["residual"][0] < 1e-7
+    assert found["V_x0"][0] == pytest.approx(speed, rel=error)
+    assert found["V_y0"][0] == pytest.approx(0, abs=1e-6)
+
+
 def test_angles(tmp_path):
     """An ellipse along the tube, turned by a right angle, is one across it."""
     case = stokes_tube(
@@ -276,3 +305,15 @@ def test_refuses_what_is_not_linear(tmp_path):
 
     case.replace("constant/transportProperties", "Newtonian", "CrossPowerLaw")
     refused(case, "'transportModel' is 'CrossPowerLaw'")
+
+
+def test_refuses_long_cells_under_traction(tmp_path):
+    case = BodyCase("tube", tmp_path)
+    case.controls(libs="(grainFvPatchFields)")
+    case.replace("0/p", '".*"', 'outlet { type fixedTractionPressure; }\n".*"')
+    case.replace("0/U", "outlet  { $inlet; }",
+                 "outlet { type fixedTractionVelocity; backflow 0;"
+                 " traction (1 0 0); }")
+    case.mesh(uniform(-3, 3, 12), uniform(-1, 1, 40))
+    write_dict(case)
+    refused(case, "ends under traction", "'tangentialVelocity zero'", "0/U")

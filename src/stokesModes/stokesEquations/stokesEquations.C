@@ -18,6 +18,9 @@ namespace
     const Foam::label maxEvaluations = 200;
     const Foam::scalar caughtUp = 1e-13;
 
+    //- Growth of a change that says that they do not
+    const Foam::scalar lost = 1e6;
+
     //- Values on all patches
     Foam::vectorField patchValues(const Foam::volVectorField& U)
     {
@@ -192,7 +195,10 @@ void Foam::stokesEquations::evaluatePatches()
 {
     U_.correctBoundaryConditions();
 
-    for (label i = 0; lagging_ && i < maxEvaluations; ++i)
+    bool settled = !lagging_;
+    scalar first = 0;
+
+    for (label i = 0; !settled && i < maxEvaluations; ++i)
     {
         const vectorField before(patchValues(U_));
 
@@ -200,11 +206,24 @@ void Foam::stokesEquations::evaluatePatches()
         U_.correctBoundaryConditions();
 
         const vectorField after(patchValues(U_));
+        const scalar change = gMax(mag(after - before)());
 
-        if (!(gMax(mag(after - before)()) > caughtUp*gMax(mag(after)())))
+        settled = !(change > caughtUp*gMax(mag(after)()));
+        first = max(first, i < 3 ? change : scalar(0));
+
+        if (change > lost*first)
         {
             break;
         }
+    }
+
+    if (!settled)
+    {
+        FatalErrorInFunction
+            << "The velocity on ends under traction does not settle, as cells"
+            << " there are long along the flow and thin across: make them"
+            << " square, or set 'tangentialVelocity zero' in "
+            << U_.objectPath() << nl << exit(FatalError);
     }
 
     p_.correctBoundaryConditions();

@@ -13,6 +13,8 @@ from stokesCase import (
     DRIVE, RADIUS, periodic_stokes_tube, solve, stokes_tube,
 )
 
+MIRRORS = "((0 1 0) (1 0 0))"
+
 CELLS = {8: 123, 16: 246}       # across the tube, by D/h
 HEIGHT = -0.3
 
@@ -125,18 +127,20 @@ def pair_map(folder, n):
     grid = [
         (a, yp, angle)
         for a in np.linspace(0.1, 0.6, n)
-        for yp in np.linspace(-0.8, 0.8, n)
+        for yp in 0.8*np.linspace(-1, 1, n)
         for angle in np.pi*np.arange(n)/n
     ]
     states = [places(*p) for p in grid]
     case = periodic_stokes_tube(folder, "map", CELLS[8], states[n*n*n//2])
-    columns = solve(case, states, drive=DRIVE)
+    columns = solve(case, states, drive=DRIVE, mirrors=MIRRORS)
     good = np.isfinite(columns["V_x0"])
     seconds = times(case)
+    log = (case.path/"log.stokesModes").read_text()
     result = Result(
         f"map of {n}^3 pairs, direct", 8, 3*CELLS[8]**2, cpu=sum(seconds)
     )
     yield result.row("states with flows", good.sum())
+    yield result.row("images of others", log.count(": mirror image of"))
     yield result.row("seconds per state with flow", sum(seconds)/good.sum())
     yield result.row("least eigenvalue", columns["leastEigenvalue"][good].min())
     largest = columns["asymmetry"][good]/columns["A_y0_y0"][good]
