@@ -75,41 +75,23 @@ Foam::tmp<Foam::scalarField> Foam::directStokes::unscaled
 }
 
 
-Foam::scalar Foam::directStokes::solve
+Foam::scalarField Foam::directStokes::inBands
 (
     const label source,
     const vector& f,
-    scalarField& x
-)
+    const scalarField& b,
+    const scalarField& x
+) const
 {
     const label n = equations_.mesh().nCells();
-    const label nRows = rowCells_.size();
-    scalarField b
-    (
-        source == patches ? equations_.patchSource()
-      : source == force ? equations_.forceSource(f)()
-      : equations_.modeSource(source)()
-    );
-    scalarField y(nRows, Zero);
-
-    x = scalarField(b.size(), Zero);
-
-    if (source == patches)
-    {
-        x = freePatches_;
-    }
-    else if (source == force)
-    {
-        x = f.x()*freeForces_[0] + f.y()*freeForces_[1];
-    }
+    const scalarField sources(unscaled(b));
+    const scalarField& shield = equations_.bodies()->shield();
+    scalarField y(rowCells_.size(), Zero);
 
     if (source < 0)
     {
         y = -multiply(x);
     }
-
-    const scalarField sources(unscaled(b));
-    const scalarField& shield = equations_.bodies()->shield();
 
     forAll(y, row)
     {
@@ -125,7 +107,33 @@ Foam::scalar Foam::directStokes::solve
         }
     }
 
-    const int size = nRows, one = 1;
+    return y;
+}
+
+
+Foam::scalar Foam::directStokes::solve
+(
+    const label source,
+    const vector& f,
+    scalarField& x
+)
+{
+    const label n = equations_.mesh().nCells();
+    const scalarField b(rightSide(source, f));
+
+    x = scalarField(b.size(), Zero);
+
+    if (source == patches)
+    {
+        x = freePatches_;
+    }
+    else if (source == force)
+    {
+        x = f.x()*freeForces_[0] + f.y()*freeForces_[1];
+    }
+
+    scalarField y(inBands(source, f, b, x));
+    const int size = y.size(), one = 1;
     int info = 0;
 
     dgetrs_

@@ -36,22 +36,10 @@ Foam::scalar Foam::iterativeStokes::solve
     scalarField& x
 )
 {
-    tmp<scalarField> tb;
-
-    if (source == patches)
-    {
-        tb = tmp<scalarField>(equations_.patchSource());
-    }
-    else if (source == force)
-    {
-        tb = equations_.forceSource(f);
-    }
-    else
-    {
-        tb = equations_.modeSource(source);
-    }
-
-    return krylov_->solve(tb(), tolerance_, maxIterations_, x);
+    return krylov_->solve
+    (
+        rightSide(source, f)(), tolerance_, maxIterations_, x
+    );
 }
 
 
