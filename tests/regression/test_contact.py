@@ -81,7 +81,7 @@ def test_restart_within_a_contact_is_exact(tmp_path):
     parts.solve()
 
     state = parts.path/"0.12/uniform/immersedBodies"
-    assert "contacts ( (" in " ".join(state.read_text().split())
+    assert "springContacts ( (" in " ".join(state.read_text().split())
     parts.controls(endTime=0.24)
     parts.solve()
 

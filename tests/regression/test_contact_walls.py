@@ -95,7 +95,7 @@ def test_restart_on_a_belt_is_exact(tmp_path):
     parts = start("parts", endTime=0.01)
     parts.solve()
     state = (parts.path/"0.01/uniform/immersedBodies").read_text()
-    assert "contacts ( (" in " ".join(state.split())
+    assert "springContacts ( (" in " ".join(state.split())
     parts.controls(endTime=0.03)
     parts.solve()
 

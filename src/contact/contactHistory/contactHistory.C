@@ -7,6 +7,9 @@ void Foam::springRecord::pack(vector* to) const
     to[0] = vector(bodies.first(), bodies.second(), time);
     to[1] = normal;
     to[2] = spring;
+    to[3] = rolling;
+    to[4] = vector(speed, gap, age);
+    to[5] = slope;
 }
 
 
@@ -16,4 +19,9 @@ void Foam::springRecord::unpack(const vector* from)
     time = from[0].z();
     normal = from[1];
     spring = from[2];
+    rolling = from[3];
+    speed = from[4].x();
+    gap = from[4].y();
+    age = from[4].z();
+    slope = from[5];
 }

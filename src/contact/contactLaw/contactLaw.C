@@ -4,6 +4,15 @@
 #include "checkKeywords.H"
 #include "mathematicalConstants.H"
 
+namespace
+{
+
+//- Restitution of rolling, of which the dashpot follows
+const Foam::scalar rollingRestitution = 0.1;
+
+} // End anonymous namespace
+
+
 namespace Foam
 {
     defineTypeNameAndDebug(contactLaw, 0);
@@ -13,7 +22,7 @@ namespace Foam
 
 Foam::contactLaw::contactLaw(const dictionary& dict)
 :
-    coefficients_(dict, contactCoefficients{0.88, 0.25})
+    coefficients_(dict, impactCoefficients{0.88, 0.25})
 {}
 
 
@@ -91,4 +100,39 @@ Foam::vector Foam::contactLaw::tangentialForce
     spring = -(friction/c.fraction + gammat*Ut)/kt;
 
     return friction;
+}
+
+
+Foam::vector Foam::contactLaw::rollingForce
+(
+    const contact& c,
+    const vector& U,
+    const scalar mass,
+    const scalar normalForce,
+    vector& spring
+)
+{
+    contact rolling(c);
+
+    rolling.tangentialMass = mass;
+    rolling.coefficients.friction = c.coefficients.rollingFriction;
+    rolling.coefficients.restitution = rollingRestitution;
+
+    return tangentialForce
+    (
+        rolling, U, mass*sqr(constant::mathematical::pi/c.time), normalForce,
+        inPlane(spring, c.normal), spring
+    );
+}
+
+
+Foam::scalar Foam::contactLaw::rollingEnergy
+(
+    const contact& c,
+    const scalar mass,
+    const vector& spring
+)
+{
+    return
+        0.5*mass*sqr(constant::mathematical::pi/c.time)*magSqr(spring);
 }

@@ -17,7 +17,7 @@ Foam::contactMaterials::contactMaterials
     const contactLaw& law
 )
 :
-    largest_(law.coefficients())
+    largest_(law.coefficients().largest())
 {
     const dictionary& pairs = dict.subOrEmptyDict("pairs");
     const dictionary& materials = dict.subOrEmptyDict("materials");
@@ -26,7 +26,7 @@ Foam::contactMaterials::contactMaterials
     pairs_.resize
     (
         names_.size() + 1,
-        List<contactCoefficients>(names_.size() + 1, law.coefficients())
+        List<impactCoefficients>(names_.size() + 1, law.coefficients())
     );
     readPairs(pairs);
     combine(dict, materials, law);
@@ -107,7 +107,7 @@ void Foam::contactMaterials::readPairs(const dictionary& pairs)
         const label a = names_.find(both.first());
         const label b = names_.find(both.second());
 
-        Foam::keywords::check(dict, {"restitution", "friction"});
+        Foam::keywords::check(dict, impactCoefficients::keywords);
         if (a != b && pairs.found(both.second() + "-" + both.first()))
         {
             FatalIOErrorInFunction(pairs)
@@ -116,7 +116,7 @@ void Foam::contactMaterials::readPairs(const dictionary& pairs)
                 << exit(FatalIOError);
         }
 
-        pairs_[a][b] = pairs_[b][a] = contactCoefficients(dict, pairs_[a][b]);
+        pairs_[a][b] = pairs_[b][a] = impactCoefficients(dict, pairs_[a][b]);
     }
 }
 
@@ -147,15 +147,8 @@ void Foam::contactMaterials::combine
     {
         forAll(pairs_, b)
         {
-            contactCoefficients& both = pairs_[a][b];
-
-            law.combine(entries[a], entries[b], both);
-            largest_.restitution = max(largest_.restitution, both.restitution);
-            largest_.friction = max(largest_.friction, both.friction);
-            forAll(both.own, i)
-            {
-                largest_.own[i] = max(largest_.own[i], both.own[i]);
-            }
+            law.combine(entries[a], entries[b], pairs_[a][b]);
+            largest_.raise(pairs_[a][b].largest());
         }
     }
 }

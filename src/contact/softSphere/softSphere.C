@@ -21,17 +21,20 @@ Foam::contactModels::softSphere::softSphere
     const lubricationModel& lubrication
 )
 :
-    historyContact<springRecord>("contacts"),
+    historyContact<springRecord>("springContacts"),
     law_(contactLaw::New(dict, rho)),
     materials_(dict, law_()),
+    roughness_(dict),
+    rough_(materials_.largest().wallRoughness > 0),
     lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
 {
     wordList ours
     ({
-        "type", "law", "subSteps", "largestOverlap", "restitution", "friction"
+        "type", "law", "subSteps", "largestOverlap", "seed"
     });
+    ours.append(impactCoefficients::keywords);
     ours.append(contactMaterials::keywords);
 
     wordList ofLaw(law_->keywords());
@@ -99,7 +102,7 @@ void Foam::contactModels::softSphere::readMaterials
 }
 
 
-const Foam::contactCoefficients&
+const Foam::impactCoefficients&
 Foam::contactModels::softSphere::coefficients
 (
     const candidate& c,
@@ -127,6 +130,7 @@ void Foam::contactModels::softSphere::advance
 )
 {
     begin(bodies);
+    roughness_.begin(bodies);
 
     if (!search(bodies, h, walls, periods, dt))
     {
@@ -155,10 +159,31 @@ void Foam::contactModels::softSphere::advance
 }
 
 
+void Foam::contactModels::softSphere::endStep()
+{
+    historyContact<springRecord>::endStep();
+    roughness_.endStep();
+}
+
+
+void Foam::contactModels::softSphere::readState(const dictionary& dict)
+{
+    historyContact<springRecord>::readState(dict);
+    roughness_.readState(dict);
+}
+
+
+void Foam::contactModels::softSphere::writeState(Ostream& os) const
+{
+    historyContact<springRecord>::writeState(os);
+    roughness_.writeState(os);
+}
+
+
 void Foam::contactModels::softSphere::report(Ostream& os) const
 {
-    os  << "softSphere, " << law_->type() << ", restitution "
-        << law_->coefficients().restitution << ", friction "
-        << law_->coefficients().friction << ", ";
+    os  << "softSphere, " << law_->type();
+    law_->coefficients().report(os);
+    os  << ", ";
     law_->report(os);
 }

@@ -72,6 +72,22 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
         t.force = F;
         forces_[c.a] = forces_[c.a] + rigidMomentum{F, arma^F};
 
+        if (t.rollingMass > 0)
+        {
+            vector rolled(c.records[t.record].rolling);
+            const rigidMomentum T{Zero, rollingTorque(t, rolled)};
+
+            forces_[c.a] = forces_[c.a] + T;
+            if (c.b >= 0)
+            {
+                forces_[c.b] = forces_[c.b] + -1*T;
+            }
+            if (remember)
+            {
+                c.records[t.record].rolling = rolled;
+            }
+        }
+
         if (c.b >= 0)
         {
             const vector armb
@@ -155,6 +171,11 @@ void Foam::contactModels::softSphere::sumLosses(const scalar h)
 
         energy_.dashpots += h*law_->dashpotPower(t.contact, U & n);
         energy_.tangential -= h*(t.force & (U - (U & n)*n));
+
+        if (t.rollingMass > 0)
+        {
+            energy_.tangential -= h*(t.rolling & t.rollingU);
+        }
     }
 }
 
@@ -173,6 +194,10 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
             law_->tangentialEnergy
             (
                 t.contact, overlap, c.records[t.record].spring
+            )
+          + contactLaw::rollingEnergy
+            (
+                t.contact, t.rollingMass, c.records[t.record].rolling
             );
     }
 }

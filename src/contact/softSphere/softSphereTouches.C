@@ -108,12 +108,19 @@ void Foam::contactModels::softSphere::addTouch
 (
     const PtrList<immersedBody>& bodies,
     const label candidatei,
-    const contactPoint& point,
+    const contactPoint& wall,
     const scalar h,
     const scalar dt
 )
 {
     candidate& c = candidates_[candidatei];
+    contactPoint point(wall);
+
+    if (c.b < 0 && rough_ && !meetSlope(bodies, candidatei, h, point))
+    {
+        return;
+    }
+
     const scalar closing =
         movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
     touch t;
@@ -129,7 +136,7 @@ void Foam::contactModels::softSphere::addTouch
         return;
     }
 
-    contactHistory::record& r = recordOf(bodies, c, point.normal);
+    contactHistory::record& r = recordOf(bodies, c, wall.normal);
 
     t.candidate = candidatei;
     t.record = &r - c.records.cdata();
@@ -143,12 +150,16 @@ void Foam::contactModels::softSphere::addTouch
     t.contact.tangentialMass = 1/inverse.second();
     t.contact.radius = contactRadius(bodies, c, point.normal);
     t.contact.halfWidth = 0.5*movers_.width(bodies, c);
-    t.contact.coefficients = coefficients(c, point);
+
+    r.speed = r.live() ? r.speed : max(closing, scalar(0));
+    t.contact.coefficients = coefficients(c, point).at(r.speed);
+    t.rollingMass = t.contact.coefficients.rollingFriction > 0
+      ? rollingMass(c, t.contact.radius) : 0;
 
     if (!r.live())
     {
         // One that is faster than the search knew has fewer sub-steps
-        r.spring = Zero;
+        r.spring = r.rolling = Zero;
         r.time = max
         (
             law_->collisionTime(t.contact, mag(closing), dt),
@@ -156,7 +167,7 @@ void Foam::contactModels::softSphere::addTouch
         );
     }
 
-    r.normal = point.normal;
+    r.normal = wall.normal;
     t.contact.time = r.time;
     touches_.append(t);
 }
