@@ -302,6 +302,8 @@ def test_refuses_what_is_not_linear(tmp_path):
     case.mesh(uniform(-2, 2, 32), uniform(-1, 1, 16))
     write_dict(case)
     refused(case, "'backflow' on patch 'outlet'", "0/U", "'backflow 0'")
+    case.replace("0/U", "traction (0 0 0);", "fan 1; backflow 0;")
+    refused(case, "'fan' on patch 'outlet'", "0/U", "'traction'")
 
     case.replace("constant/transportProperties", "Newtonian", "CrossPowerLaw")
     refused(case, "'transportModel' is 'CrossPowerLaw'")

@@ -25,16 +25,23 @@ void Foam::fixedTractionVelocityFvPatchVectorField::checkEntries
         dict,
         {
             "type", "patchType", "value", "useImplicit",
-            "traction", "tractionCoeffs", "rho", "tangentialVelocity",
+            "traction", "tractionCoeffs", "fan", "fanCoeffs", "flowRate", "rho", "tangentialVelocity",
             "backflow", "relaxation", "gradient"
         }
     );
 
-    if (!traction_.found())
+    if (!traction_.found() && !fan_.valid())
     {
         FatalIOErrorInFunction(dict)
-            << "'" << dict.dictName() << "' needs 'traction', kinematic"
-            << " [m2/s2] or with 'rho' [Pa]" << nl << exit(FatalIOError);
+            << "'" << dict.dictName() << "' needs 'traction' or 'fan',"
+            << " kinematic [m2/s2] or with 'rho' [Pa]" << nl
+            << exit(FatalIOError);
+    }
+    if (dict.found("flowRate") && !fan_.valid())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'flowRate' in '" << dict.dictName() << "' is the state of a"
+            << " 'fan', and there is none" << nl << exit(FatalIOError);
     }
     if (!(backflow_ >= 0))
     {
@@ -80,6 +87,7 @@ fixedTractionVelocityFvPatchVectorField
 :
     transformFvPatchVectorField(p, iF, dict),
     traction_(p, "traction", dict),
+    fan_(dict.found("fan") ? new fanCurve(dict) : nullptr),
     rho_(keywords::positiveOr(dict, "rho", 1)),
     dynamic_(dict.found("rho")),
     normalOnly_
@@ -122,6 +130,7 @@ fixedTractionVelocityFvPatchVectorField
 :
     transformFvPatchVectorField(ptf, p, iF, mapper),
     traction_(ptf.traction_, p, mapper),
+    fan_(ptf.fan_.clone()),
     rho_(ptf.rho_),
     dynamic_(ptf.dynamic_),
     normalOnly_(ptf.normalOnly_),
@@ -152,6 +161,7 @@ fixedTractionVelocityFvPatchVectorField
 :
     transformFvPatchVectorField(ptf, iF),
     traction_(ptf.traction_, ptf.patch()),
+    fan_(ptf.fan_.clone()),
     rho_(ptf.rho_),
     dynamic_(ptf.dynamic_),
     normalOnly_(ptf.normalOnly_),
@@ -199,6 +209,10 @@ void Foam::fixedTractionVelocityFvPatchVectorField::write(Ostream& os) const
     transformFvPatchVectorField::write(os);
     traction_.write(os);
 
+    if (fan_.valid())
+    {
+        fan_->write(os);
+    }
     if (dynamic_)
     {
         os.writeEntry("rho", rho_);

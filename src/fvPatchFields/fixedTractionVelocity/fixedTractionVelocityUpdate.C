@@ -10,7 +10,14 @@ Foam::fixedTractionVelocityFvPatchVectorField::traction() const
 {
     const scalar t = db().time().timeOutputValue();
 
-    return traction_.value(patch(), t, Zero)/rho_;
+    tmp<vectorField> F(traction_.value(patch(), t, Zero)/rho_);
+
+    if (fan_.valid())
+    {
+        F.ref() -= fan_->pressure()/rho_*patch().nf();
+    }
+
+    return F;
 }
 
 
@@ -101,6 +108,11 @@ void Foam::fixedTractionVelocityFvPatchVectorField::beginStep()
     oldGradient_ = gradient_;
     oldFraction_ = fraction_;
     oldRefValue_ = refValue_;
+
+    if (fan_.valid())
+    {
+        fan_->beginStep();
+    }
 }
 
 
@@ -109,6 +121,11 @@ void Foam::fixedTractionVelocityFvPatchVectorField::undoStep()
     gradient_ = oldGradient_;
     fraction_ = oldFraction_;
     refValue_ = oldRefValue_;
+
+    if (fan_.valid())
+    {
+        fan_->undoStep();
+    }
 }
 
 
@@ -149,6 +166,11 @@ void Foam::fixedTractionVelocityFvPatchVectorField::updateCoeffs()
     }
 
     updateGradient();
+
+    if (fan_.valid())
+    {
+        fan_->update(patch(), *this, relaxation_);
+    }
 
     const vectorField n(patch().nf());
     const scalarField& d = patch().deltaCoeffs();

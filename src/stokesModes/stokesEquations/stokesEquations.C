@@ -187,6 +187,14 @@ void Foam::stokesEquations::checkPatches()
                 << " depends on the sign of the flow, and flows are added up:"
                 << " set 'backflow 0'" << nl << exit(FatalError);
         }
+        if (refCast<const traction>(patch).hasFan())
+        {
+            FatalErrorInFunction
+                << "The pressure of the 'fan' on patch '"
+                << patch.patch().name() << "' in " << U_.objectPath()
+                << " depends on the flow, and flows are added up: give a"
+                << " 'traction' instead" << nl << exit(FatalError);
+        }
     }
 }
 
