@@ -153,13 +153,14 @@ TEST_CASE("Lift acts on an unresolved grain, and back", "[lift]")
 
     const ddtCoefficients ddt("Euler", 1, 1);
     const autoPtr<dragModel> drag(dragModel::New(dict("")));
+    const autoPtr<shapeModel> form(shapeModel::New(dict(""), body.shape()));
     const PtrList<liftModel> lifts(models("SaffmanMei"));
 
     auto load = [&](const PtrList<liftModel>& with)
     {
         return unresolvedMotion
         (
-            drag(), fluid, body, 1, ddt, vector::zero, vector::zero,
+            drag(), fluid, body, form(), ddt, vector::zero, vector::zero,
             vector::zero, with
         ).load(body, ddt).force;
     };

@@ -157,6 +157,13 @@ TEST_CASE("A sample finds linear flow at the grain", "[unresolved]")
 TEST_CASE("An unresolved grain: balance and limits", "[unresolved]")
 {
     const autoPtr<dragModel> drag(dragModel::New(dict("")));
+    const autoPtr<shapeModel> form
+    (
+        shapeModel::New
+        (
+            dict(""), *shape("type sphere; radius 1;", geometricSpace(-1))
+        )
+    );
     const vector U(3, 1, -2), g(0, 0, -9.81);
     const fluidSample fluid(linearSample(tensor::zero, U, vector::zero));
 
@@ -176,7 +183,10 @@ TEST_CASE("An unresolved grain: balance and limits", "[unresolved]")
         {
             body.beginStep();
 
-            const unresolvedMotion motion(drag(), fluid, body, 1, ddt, g);
+            const unresolvedMotion motion
+            (
+                drag(), fluid, body, form(), ddt, g
+            );
 
             body.correctVelocity(motion.load(body, ddt), ddt, g);
             change = body.correctVelocity(motion.load(body, ddt), ddt, g);

@@ -3,7 +3,6 @@
 #include "unresolvedCoupling.H"
 #include "compat.H"
 #include "mathematicalConstants.H"
-#include "sphericity.H"
 
 Foam::scalar Foam::unresolvedCoupling::diameter(const immersedBody& body)
 {
@@ -71,9 +70,10 @@ Foam::scalar Foam::unresolvedCoupling::largestCell
 }
 
 
-Foam::scalar Foam::unresolvedCoupling::checkedSphericity
+void Foam::unresolvedCoupling::check
 (
-    const immersedBody& body
+    const immersedBody& body,
+    grain& one
 ) const
 {
     if (frozen_ && type(body) != "unresolved")
@@ -94,10 +94,11 @@ Foam::scalar Foam::unresolvedCoupling::checkedSphericity
             << exit(FatalError);
     }
 
-    return
-        type(body) == "resolved"
-      ? 1
-      : Foam::sphericity(body.shape()).value();
+    if (type(body) != "resolved")
+    {
+        one.shape.reset(shapeModel::New(shapes_, body.shape()).ptr());
+    }
+    one.checked = true;
 }
 
 
@@ -113,9 +114,9 @@ void Foam::unresolvedCoupling::update
     {
         grain& one = grains_[i];
 
-        if (one.sphericity == 0)
+        if (!one.checked)
         {
-            one.sphericity = checkedSphericity(bodies[i]);
+            check(bodies[i], one);
         }
 
         if (bodies[i].resolved())

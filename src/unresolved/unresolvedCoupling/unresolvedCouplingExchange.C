@@ -132,7 +132,7 @@ void Foam::unresolvedCoupling::correct
             drag_(),
             samples[i],
             body,
-            grains_[i].sphericity,
+            *grains_[i].shape,
             ddt,
             g,
             meshU,

@@ -10,8 +10,8 @@ const Foam::wordList Foam::unresolvedCoupling::types
 
 const Foam::wordList Foam::unresolvedCoupling::keywords
 ({
-    "type", "resolvedFrom", "dragModel", "dispersion", "lift", "fluid",
-    "kernel"
+    "type", "resolvedFrom", "dragModel", "dispersion", "lift", "shapeModel",
+    "fluid", "kernel"
 });
 
 
@@ -44,12 +44,18 @@ Foam::unresolvedCoupling::unresolvedCoupling
     drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),
+    shapes_(dict.subOrEmptyDict("shapeModel")),
     centres_(mesh_.cellCentres(), false),
     grains_(bodies),
     nUnresolved_(0)
 {
     const dictionary& kernel = dict.subOrEmptyDict("kernel");
 
+    Foam::keywords::choice(shapes_, "type", shapeModel::types(), "sphericity");
+    if (!shapes_.found("type"))
+    {
+        Foam::keywords::check(shapes_, {"type"});
+    }
     Foam::keywords::check(kernel, {"cells", "diameters"});
     kernelCells_ = Foam::keywords::positiveOr(kernel, "cells", 3);
     kernelDiameters_ = Foam::keywords::positiveOr(kernel, "diameters", 2);
@@ -78,7 +84,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
 
     forAll(bodies, bodyi)
     {
-        grains_[bodyi].sphericity = checkedSphericity(bodies[bodyi]);
+        check(bodies[bodyi], grains_[bodyi]);
     }
 }
 
@@ -98,6 +104,10 @@ void Foam::unresolvedCoupling::report(Ostream& os) const
     for (const liftModel& lift : lifts_)
     {
         os  << ", lift of " << lift.type();
+    }
+    if (shapes_.found("type"))
+    {
+        os  << ", shapes by " << shapes_.get<word>("type");
     }
     if (frozen_)
     {

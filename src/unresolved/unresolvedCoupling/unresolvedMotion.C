@@ -3,9 +3,17 @@
 #include "unresolvedMotion.H"
 #include "mathematicalConstants.H"
 #include "selfDisturbance.H"
-#include "sphericity.H"
 
 using Foam::constant::mathematical::pi;
+
+
+namespace
+{
+
+//- A speed [m/s] that has no direction
+const Foam::scalar tiny = 1e-100;
+
+} // End anonymous namespace
 
 
 Foam::unresolvedMotion::unresolvedMotion
@@ -13,7 +21,7 @@ Foam::unresolvedMotion::unresolvedMotion
     const dragModel& drag,
     const fluidSample& fluid,
     const immersedBody& body,
-    const scalar psi,
+    const shapeModel& shape,
     const ddtCoefficients& ddt,
     const vector& g,
     const vector& meshU,
@@ -23,9 +31,11 @@ Foam::unresolvedMotion::unresolvedMotion
 :
     drag_(drag),
     fluid_(fluid),
+    shape_(shape),
     V_(body.volume()),
     D_(cbrt(6*V_/pi)),
-    psi_(psi),
+    R_(body.state().orientation.R()),
+    direction_(Zero),
     response_(fluid.crowd()/ddt.c),
     oldLoad_(body.load().force),
     lift_(Zero)
@@ -63,6 +73,26 @@ Foam::unresolvedMotion::unresolvedMotion
     {
         W = slip(body, ddt, g, lift_);
     }
+    if (!shape_.isotropic())
+    {
+        // Drag and lift of the slip at which they balance the rest
+        const vector others(lift_);
+
+        for (label i = 0; i < 50; ++i)
+        {
+            const vector F(others + shapeLift(W));
+            const scalar scale = mag(F) + sphereDrag(mag(W))*mag(W);
+            const bool done = mag(F - lift_) <= 1e-12*scale;
+
+            lift_ = F;
+            W = slip(body, ddt, g, lift_);
+            if (done)
+            {
+                break;
+            }
+        }
+    }
+    setTorque(W, grad);
 
     const scalar s = mag(W);
     const scalar b = this->drag(s);
@@ -77,7 +107,7 @@ Foam::vector Foam::unresolvedMotion::slip
     const ddtCoefficients& ddt,
     const vector& g,
     const vector& lift
-) const
+)
 {
     // Slip if there were no drag, and how much of it a drag takes
     const vector dUdt(body.acceleration(ddt).linear);
@@ -101,17 +131,60 @@ Foam::vector Foam::unresolvedMotion::slip
 
     const vector a(u_ + response_*(P - oldLoad_) - U);
 
-    return solveSlip(mag(a), k)/max(mag(a), VSMALL)*a;
+    const scalar speed = mag(a);
+
+    // None where the square of the slip is too small for a number
+    direction_ = speed > tiny ? (R_.T() & a)/speed : vector::zero;
+
+    return solveSlip(speed, k)/max(speed, VSMALL)*a;
+}
+
+
+Foam::scalar Foam::unresolvedMotion::sphereDrag(const scalar s) const
+{
+    const scalar nu = fluid_.nu();
+
+    return 3*pi*nu*D_*drag_.K(s*D_/nu, phi_);
 }
 
 
 Foam::scalar Foam::unresolvedMotion::drag(const scalar s) const
 {
-    const scalar nu = fluid_.nu();
-    const scalar Re = s*D_/nu;
+    const scalar Re = s*D_/fluid_.nu();
+    const vector& e = direction_;
 
-    return
-        3*pi*nu*D_*drag_.K(Re, phi_)*sphericity(psi_).factor(Re);
+    // Any direction does if there is no slip
+    const vector d(magSqr(e) > 0.5 ? e : vector(1, 0, 0));
+
+    return sphereDrag(s)*(shape_.force(Re, d) & d);
+}
+
+
+Foam::vector Foam::unresolvedMotion::shapeLift(const vector& W) const
+{
+    const scalar s = mag(W);
+    const vector& e = direction_;
+    const vector f(shape_.force(s*D_/fluid_.nu(), e));
+
+    return sphereDrag(s)*s*(R_ & (f - (f & e)*e));
+}
+
+
+void Foam::unresolvedMotion::setTorque(const vector& W, const tensor& grad)
+{
+    const scalar nu = fluid_.nu();
+    const scalar sphere = pi*nu*pow3(D_);
+    const vector t(shape_.turning());
+    const symmTensor E(symm(R_.T() & grad & R_));
+
+    turning_ =
+        sphere*(R_ & tensor(t.x(), 0, 0, 0, t.y(), 0, 0, 0, t.z()) & R_.T());
+    torque_ =
+        R_
+      & (
+            sphere*shape_.straining(E)
+          + shape_.pitching(R_.T() & W, D_, nu)
+        );
 }
 
 
@@ -199,7 +272,6 @@ Foam::bodyLoad Foam::unresolvedMotion::load
     const rigidMomentum rate(body.ddtMomentum(ddt));
     const tensor I(body.inertia(state));
     const scalar implicit = 1/(1 + response_*b_);
-    const scalar turning = pi*fluid_.nu()*pow3(D_);
     bodyLoad load;
 
     load.force = implicit
@@ -208,11 +280,12 @@ Foam::bodyLoad Foam::unresolvedMotion::load
           - lift_
           - b_*(u_ - response_*oldLoad_ - state.U)
         );
-    load.torque = rate.angular - turning*(spin_ - state.omega);
+    load.torque = rate.angular - torque_ - (turning_ & (spin_ - state.omega));
 
     load.a = implicit*(1.5*V_*ddt.c + b_);
     load.aRowCol =
-        ddt.c*(0.5*tr(I)*tensor::I - I) + 0.5*turning*tensor::I;
+        ddt.c*(0.5*tr(I)*tensor::I - I)
+      + 0.5*tr(turning_)*tensor::I - turning_;
     load.volume = V_;
 
     return load;
