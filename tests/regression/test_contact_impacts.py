@@ -5,6 +5,7 @@ of resolved and unresolved grains."""
 import numpy as np
 import pytest
 
+import restarts
 from bodyCase import BodyCase
 from boxMesh import uniform
 
@@ -66,23 +67,7 @@ def test_rough_walls_on_several_ranks(tmp_path):
 
 
 def test_rough_walls_restart_exactly(tmp_path):
-    at_once = grains(tmp_path)
-    at_once.replace(
-        "system/fvSolution", "fastPoisson", "PCG; preconditioner DIC"
-    )
-    parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve()
-    parts.controls(endTime=0.6)
-    parts.solve()
-    parts.controls(endTime=1.2)
-    parts.solve()
-
-    for name in ("U", "p", "uniform/immersedBodies"):
-        a, b = (
-            (case.path/case.latest_time()/name).read_bytes()
-            for case in (at_once, parts)
-        )
-        assert a == b, name
+    restarts.check_exact(grains(tmp_path), tmp_path, 0.6, 1.2)
 
 
 @pytest.mark.parametrize("speed, e", [(1, 0.8), (4, 0.5)])

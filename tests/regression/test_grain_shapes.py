@@ -9,6 +9,7 @@ import pytest
 
 import boxMesh
 import refusals
+import restarts
 from bodyCase import BodyCase
 from boxMesh import uniform
 from fallingGrain import MU, RHO, falling_grain, limit, terminal_velocity
@@ -179,26 +180,12 @@ def test_same_on_two_ranks(tmp_path):
 
 
 def test_restart_is_exact(tmp_path):
-    at_once = shaped_box(tmp_path)
-    at_once.replace(
-        "system/fvSolution", "fastPoisson", "PCG; preconditioner DIC"
+    case = shaped_box(tmp_path)
+    case.controls(
+        writeControl="timeStep", writeInterval=5, writePrecision=17,
+        timePrecision=15,
     )
-    at_once.controls(
-        endTime=0.2, writeControl="timeStep", writeInterval=5,
-        writePrecision=17, timePrecision=15,
-    )
-    parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve()
-    parts.controls(endTime=0.1)
-    parts.solve()
-    parts.controls(endTime=0.2)
-    parts.solve()
-    for name in ("U", "p", "uniform/immersedBodies"):
-        a, b = (
-            (case.path/case.latest_time()/name).read_bytes()
-            for case in (at_once, parts)
-        )
-        assert a == b, name
+    restarts.check_exact(case, tmp_path, 0.1, 0.2)
 
 
 def test_a_long_grain_turns_its_broad_side_to_the_stream(tmp_path):
