@@ -3,6 +3,7 @@
 zeros and intervals."""
 
 import csv
+import math
 import os
 import signal
 import subprocess
@@ -255,5 +256,17 @@ def test_intervals():
                                               resamples=400)
         inside += low < 1 < high
     assert 175 <= inside <= 198
+    inside = 0
+    for _ in range(100):
+        _, low, high = analysis.interval(
+            np.median, source.exponential(size=60), resamples=400)
+        inside += low < math.log(2) < high
+    assert 85 <= inside <= 100
+    inside = 0
+    for _ in range(200):
+        x, noise = source.normal(size=(2, 40))
+        _, low, high = analysis.correlation_interval(x, 0.6*x + 0.8*noise)
+        inside += low < 0.6 < high
+    assert 180 <= inside <= 198
     assert analysis.share_interval(1, 10) == pytest.approx(
         (0.0179, 0.4042), abs=1e-4)

@@ -3,6 +3,7 @@
 
 import dataclasses
 import math
+from statistics import NormalDist
 
 import numpy as np
 
@@ -54,14 +55,27 @@ def zeros(x, y):
     return found
 
 
-def mean_interval(values, confidence=0.95, resamples=4000, seed=1):
-    """Mean and its interval, by bootstrap (Efron 1979): lower, upper end."""
+def interval(statistic, values, confidence=0.95, resamples=4000, seed=1):
+    """A statistic of values and its interval, by bootstrap (Efron 1979): value,
+    lower, upper end. Rows of values are drawn together."""
     values = np.asarray(values, float)
     source = np.random.default_rng(seed)
-    means = [values[source.integers(len(values), size=len(values))].mean()
+    found = [statistic(values[source.integers(len(values), size=len(values))])
              for _ in range(resamples)]
     tail = 50*(1 - confidence)
-    return values.mean(), *np.percentile(means, (tail, 100 - tail))
+    return statistic(values), *np.percentile(found, (tail, 100 - tail))
+
+
+def mean_interval(values, confidence=0.95, resamples=4000, seed=1):
+    """The mean and its interval."""
+    return interval(np.mean, values, confidence, resamples, seed)
+
+
+def correlation_interval(x, y, confidence=0.95):
+    """Correlation of x and y and its interval (Fisher 1921)."""
+    r = np.corrcoef(x, y)[0, 1]
+    half = NormalDist().inv_cdf(0.5 + 0.5*confidence)/math.sqrt(len(x) - 3)
+    return r, math.tanh(math.atanh(r) - half), math.tanh(math.atanh(r) + half)
 
 
 def share_interval(count, total, z=1.96):

@@ -18,28 +18,54 @@ import flowRates
 from grainfoam.study import analysis
 from grainPlots import plt
 
-R = 0.065
-
 # Of the empty tube by body-fitted finite elements
 EMPTY = 0.042754
 
+# Abscissa of the scatter
+DECIDES = {"free": "square", "held": "chain"}
+QUANTILES = 5, 25, 50, 75, 95
+
 
 def scatter():
-    """Flow rate against how near the walls the grains are, and how often."""
+    """Flow rate against what says most of it, and how often."""
     figure, axes = plt.subplots(2, 2, figsize=(9, 6), width_ratios=(3, 1))
 
     for (ax, side), kind in zip(axes, flowRates.KINDS):
         table = flowRates.read(kind)
         share = table["Q"]/EMPTY
-        ax.plot(table["height"], share, "o", markersize=4)
-        ax.set(xlabel="mean |y| of the grains [m]",
+        x = DECIDES[kind]
+        r, low, high = analysis.correlation_interval(table[x], share)
+        ax.plot(table[x], share, "o", markersize=4)
+        ax.set(xlabel=flowRates.MEASURES[x],
                ylabel="flow rate over that\nof the empty tube",
-               title=f"{kind} grains")
+               title=f"{kind} grains, {len(share)} draws: correlation {r:.2f}"
+                     f" ({low:.2f} to {high:.2f})")
         side.hist(share, bins=max(8, len(share)//20),
                   orientation="horizontal")
+        _, low, high = analysis.mean_interval(share)
+        side.axhspan(low, high, color="C1", alpha=0.5)
         side.set(xlabel="draws", ylim=ax.get_ylim())
 
     gp.save(figure, here/"plots/flowRate.png")
+
+
+def summary(kind, table):
+    """Distribution of Q, each figure with its 95 % interval, and what Q goes
+    with."""
+    Q = table["Q"]
+    print(f"{kind}: {len(Q)} draws, Q {Q.min():.5f} to {Q.max():.5f} m2/s")
+    statistics = {"mean": np.mean, "standard deviation": lambda v: v.std(ddof=1)}
+    for share in QUANTILES:
+        statistics[f"quantile {share} %"] = \
+            lambda values, share=share: np.percentile(values, share)
+    for name, statistic in statistics.items():
+        value, low, high = analysis.interval(statistic, Q)
+        print(f"    {name} {value:.5f} ({low:.5f} to {high:.5f})")
+    for name, what in flowRates.MEASURES.items():
+        r, low, high = analysis.correlation_interval(table[name], Q)
+        print(f"    correlation with {what}: {r:.2f} ({low:.2f} to {high:.2f})")
+    print("    largest change in the last quarter of the time "
+          f"{100*np.abs(table['change']).max():.2f} %")
 
 
 def flow(table, kind):
@@ -58,7 +84,7 @@ def flow(table, kind):
     for ax, draw in zip(axes.T.flat, draws):
         image = gp.drawField(ax, x, y, speeds[draw], (0, largest), "viridis")
         for centre in flowRates.centres(draw):
-            gp.drawGrain(ax, centre, R, linewidth=0.6)
+            gp.drawGrain(ax, centre, flowRates.RADIUS, linewidth=0.6)
         Q = table["Q"][table["draw"] == draw][0]
         ax.set_title(f"draw {draw}: Q = {Q:.5f} m²/s")
         ax.axhline(-1, color="k", linewidth=2)
@@ -76,14 +102,7 @@ def main():
     for kind in flowRates.KINDS:
         table = flowRates.read(kind)
         flow(table, kind)
-        Q, change = table["Q"], table["change"]
-        slope = np.corrcoef(table["height"], Q)[0, 1]
-        _, low, high = analysis.mean_interval(Q)
-        print(f"{kind}: Q {Q.min():.5f} to {Q.max():.5f}, mean {Q.mean():.5f} "
-              f"({low:.5f} to {high:.5f} with 95 %), "
-              f"standard deviation {Q.std(ddof=1):.5f} m2/s; correlation with "
-              f"mean |y| {slope:.2f}; largest change in the last quarter of "
-              f"the time {100*np.abs(change).max():.2f} %")
+        summary(kind, table)
 
 
 main()
