@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A part of the map of pairs of discs in a tube: pairs at rest, stability."""
 
+import importlib.util
 import math
+from pathlib import Path
 
 import numpy as np
 
@@ -19,32 +21,25 @@ SCAN = np.linspace(0.3, 0.72, 8)
 STEPS = np.diag((0.02, 0.02, 0.04))
 
 
-def rates(columns, states):
-    """Rates of a, yp, theta, at Re = 0 and to first order: (order, state, 3)."""
-    a, _, angle = np.array(states).T
-    found = []
-    for name in "V", "V1":
-        u, v = (
-            (columns[f"{name}_{axis}1"] - columns[f"{name}_{axis}0"])/2
-            for axis in "xy"
-        )
-        middle = (columns[f"{name}_y0"] + columns[f"{name}_y1"])/2
-        found.append(np.stack([
-            u*np.cos(angle) + v*np.sin(angle), middle,
-            (v*np.cos(angle) - u*np.sin(angle))/a,
-        ], axis=1))
-    return np.array(found)
+def tutorial():
+    """The module of the tutorial maps/pair, which has the rates."""
+    file = Path(__file__).parents[3]/"tutorials/maps/pair/pairMap.py"
+    spec = importlib.util.spec_from_file_location("tutorialPairs", file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def compute(folder, name, cells, states):
-    """Rates at the states; seconds of the run, images of other states."""
+    """Rates (of a, yp, theta) at the states, at Re = 0 and to first order;
+    seconds of the run, images of other states."""
     case = periodic_stokes_tube(folder, name, CELLS[cells], places(*states[0]))
     columns = solve(
         case, [places(*s) for s in states], drive=DRIVE, mirrors=MIRRORS,
     )
     log = (case.path/"log.stokesModes").read_text()
     images = log.count(": mirror image of")
-    return rates(columns, states), sum(times(case)), images
+    return np.array(tutorial().rates(columns, states)), sum(times(case)), images
 
 
 def at_rest(folder, cells):
@@ -87,8 +82,8 @@ def part(folder, n):
     yield result.row("images of others", images)
     yield result.row("seconds per state with flow", cpu/good.sum())
     middle = good & (np.array(states)[:, 1] == 0)
-    # By symmetry a pair about the middle neither parts nor turns the faster
-    # for being tilted one way: its half distance stays at Re = 0
+    # A pair about the middle turned by half a turn is itself, and the flow
+    # turned round: its half distance stays at Re = 0
     yield result.row(
         "largest rate of a at yp 0, Re 0", np.abs(found[0, middle, 0]).max(),
     )

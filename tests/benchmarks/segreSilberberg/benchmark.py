@@ -21,12 +21,10 @@ FULL = ((20, 8), (60, 8), (200, 8), (20, 12))
 LENGTH, GROWTH, STEP, END = 2.5, 1.2, 4, 40
 
 
-def hold(folder, Re, cells, y):
-    """Lift over rho U^2 a^2, speed over that of the fluid there, spin, change
-    of the lift over the last tenth, and the run."""
-    h = 2*RADIUS/cells
+def tube(folder, name, h):
+    """The tube with undisturbed flow, its cells of size h about the sphere."""
     core = h*round((RADIUS + 0.3)/h)
-    case = BodyCase("tube", folder, f"Re{Re}_D{cells}_y{y:g}")
+    case = BodyCase("tube", folder, name)
     set_profile(
         case, "1.5*(1 - sqr(pos().y()))",
         "2*(1 - sqr(pos().y()) - sqr(pos().z()))",
@@ -36,6 +34,14 @@ def hold(folder, Re, cells, y):
     )
     case.run("blockMesh")
     case.run("setExprFields")
+    return case
+
+
+def hold(folder, Re, cells, y):
+    """Lift over rho U^2 a^2, speed over that of the fluid there, spin, change
+    of the lift over the last tenth, and the run."""
+    h = 2*RADIUS/cells
+    case = tube(folder, f"Re{Re}_D{cells}_y{y:g}", h)
     set_viscosity(case, 2/Re)
     case.bodies(f"""
         sphere

@@ -5,39 +5,24 @@ import math
 
 import numpy as np
 
-import roundTube
-from bodyCase import BodyCase
-from boxMesh import graded
 from grainfoam.study import analysis
-from measure import Result, number_of_cells, set_profile, set_viscosity
+from measure import Result, number_of_cells, set_viscosity
+from segreSilberberg.benchmark import RADIUS, tube
 from stokesCase import solve
 from stokesModes.benchmark import times
 
-# Radius over that of the tube, and K1 and K2 of such a sphere on the axis:
-# it takes 6 pi mu a K1 U to move, and 6 pi mu a K2 U_max to hold
-RADIUS, K1, K2 = 0.15, 1.4465722, 1.424892
+# On the axis it takes 6 pi mu a K1 U to move a sphere of RADIUS, and
+# 6 pi mu a K2 U_max to hold it
+K1, K2 = 1.4465722, 1.424892
 # Speed on the axis, of mean speed 1
 FASTEST = 2
 # Distances from the axis at which lateral velocities are found
 PLACES = (0.5, 0.57, 0.64)
-# Ends of the tube; largest growth of cells
-LENGTH, GROWTH = 2.5, 1.2
 
 
 def make(folder, cells):
-    """The tube, its mesh along x fine about the sphere."""
-    h = 2*RADIUS/cells
-    core = h*round((RADIUS + 0.3)/h)
-    case = BodyCase("tube", folder, f"D{cells}")
-    set_profile(
-        case, "1.5*(1 - sqr(pos().y()))",
-        "2*(1 - sqr(pos().y()) - sqr(pos().z()))",
-    )
-    roundTube.write(
-        case, graded(-LENGTH, LENGTH, (-core, core), h, GROWTH), h
-    )
-    case.run("blockMesh")
-    case.run("setExprFields")
+    """The sphere in the tube."""
+    case = tube(folder, f"D{cells}", 2*RADIUS/cells)
     set_viscosity(case, 1)
     case.bodies(
         f"sphere {{ shape {{ type sphere; radius {RADIUS}; }}"

@@ -54,7 +54,10 @@ def summary(kind, table):
     with."""
     Q = table["Q"]
     print(f"{kind}: {len(Q)} draws, Q {Q.min():.5f} to {Q.max():.5f} m2/s")
-    statistics = {"mean": np.mean, "standard deviation": lambda v: v.std(ddof=1)}
+    statistics = {
+        "mean": np.mean,
+        "standard deviation": lambda values: values.std(ddof=1),
+    }
     for share in QUANTILES:
         statistics[f"quantile {share} %"] = \
             lambda values, share=share: np.percentile(values, share)
