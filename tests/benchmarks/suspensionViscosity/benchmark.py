@@ -15,16 +15,29 @@ EINSTEIN = {2: 2, 3: 2.5}
 # Random suspensions: diameters per side, cells per diameter, strains
 SIDE, CELLS = {2: 8, 3: 5}, {2: 12, 3: 8}
 FROM, TO = 2, {2: 10, 3: 6}
+# Square arrays of discs, exact: at shifts 0 and 1/2 (shearedArray)
+SQUARE = {
+    0.1: (1.19222, 1.20999), 0.24: (1.46536, 1.56648), 0.4: (1.86797, 2.22104),
+}
+# Quick; in full
+FRACTIONS = {
+    2: ((0.1, 0.24), (0.05, 0.1, 0.15, 0.24, 0.3, 0.4)),
+    3: ((), (0.05, 0.1, 0.2, 0.3)),
+}
 
 
 def correlations(phi, dims):
-    """Rows beside: names and values."""
+    """Beside: names and values."""
     if dims == 2:
-        return {"1 + 2 c": 1 + 2*phi}
+        return {
+            "1 + 2 c": 1 + 2*phi,
+            "Krieger-Dougherty, 0.82": (1 - phi/0.82)**-1.64,
+        }
     return {
         "1 + 2.5 phi": 1 + 2.5*phi,
-        "Batchelor-Green": 1 + 2.5*phi + 7.6*phi**2,
-        "Krieger-Dougherty": (1 - phi/0.64)**-1.6,
+        "1 + 2.5 phi + 5.2 phi^2": 1 + 2.5*phi + 5.2*phi**2,
+        "1 + 2.5 phi + 7.6 phi^2": 1 + 2.5*phi + 7.6*phi**2,
+        "Krieger-Dougherty, 0.64": (1 - phi/0.64)**-1.6,
     }
 
 
@@ -140,7 +153,49 @@ def rows(folder, quick):
             for cells in (8, 16) if dims == 2 or not quick else (8,):
                 if dims == 2 or cells*fraction**(-1/3) < 60:
                     yield from array(folder, fraction, cells, dims)
-    for fraction in (0.1, 0.24) if quick else (0.05, 0.1, 0.24, 0.4):
-        yield from random(folder, fraction, 2)
-    for fraction in () if quick else (0.1, 0.2, 0.3):
-        yield from random(folder, fraction, 3)
+    for dims, (few, all_of_them) in FRACTIONS.items():
+        for fraction in few if quick else all_of_them:
+            yield from random(folder, fraction, dims)
+
+
+def draw(rows, file):
+    """Write the figure: viscosity of random suspensions over the fraction."""
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(
+        1, 2, figsize=(9, 4), layout="constrained"
+    )
+    for dims, ax in zip((2, 3), axes):
+        points = {}
+        for row in rows:
+            if row["settings"].startswith(f"random {dims}D"):
+                fraction = float(row["settings"].split(", ")[1])
+                point = points.setdefault(fraction, {})
+                point[row["quantity"]] = float(row["value"])
+        phi = np.linspace(0, max(points, default=0.1), 50)
+        for k, name in enumerate(correlations(0, dims)):
+            values = [correlations(x, dims)[name] for x in phi]
+            ax.plot(phi, values, ("--", "-", ":", "-.")[k], color="0.4",
+                    label=name)
+        ax.errorbar(
+            list(points), [point["viscosity"] for point in points.values()],
+            [2*point["standard error"] for point in points.values()],
+            fmt="o", capsize=3, label="computed, two standard errors",
+        )
+        ax.set(
+            xlabel="area fraction c" if dims == 2 else "volume fraction phi",
+            ylabel="viscosity over that of the fluid",
+            title="discs" if dims == 2 else "spheres",
+        )
+        ax.grid(alpha=0.3)
+        ax.legend(fontsize=8)
+    # Square arrays, smallest and largest of any shift
+    axes[0].vlines(
+        list(SQUARE), *zip(*SQUARE.values()), color="C1", linewidth=4,
+        alpha=0.6, label="square arrays, exact",
+    )
+    axes[0].legend(fontsize=8)
+    figure.savefig(file, dpi=110)
+    pyplot.close(figure)
