@@ -112,8 +112,8 @@ def sliding_box(
 
 
 def eddies(cells, shear, size=0.3):
-    """Shear about the middle, and four eddies, of a square of side 1."""
-    x, y, _ = 2*np.pi*centres(cells, (1, 1)).T
+    """Shear about the middle, and four eddies, of a box of side 1."""
+    x, y, _ = 2*np.pi*centres(cells, (1,)*len(cells)).T
     u = np.zeros((len(x), 3))
     u[:, 0] = size*np.sin(x)*np.cos(y) + shear*(y/(2*np.pi) - 0.5)
     u[:, 1] = -size*np.cos(x)*np.sin(y)

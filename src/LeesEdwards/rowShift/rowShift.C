@@ -10,7 +10,8 @@ Foam::rowShift::rowShift(const label nCells, const label nRows)
     nRows_(nRows),
     forward_(nullptr),
     backward_(nullptr),
-    rows_(fftw_alloc_real(max(size_t(nCells)*nRows, size_t(1))))
+    rows_(fftw_alloc_real(max(size_t(nCells)*nRows, size_t(1)))),
+    lastShift_(0)
 {
     const auto plan = [&](const fftw_r2r_kind kind)
     {
@@ -72,11 +73,30 @@ Foam::complex Foam::rowShift::phase
 }
 
 
+void Foam::rowShift::setPhases(const scalar shift) const
+{
+    if (phases_.size() && shift == lastShift_)
+    {
+        return;
+    }
+
+    lastShift_ = shift;
+    phases_.setSize(nCells_/2 + 1);
+
+    forAll(phases_, k)
+    {
+        phases_[k] = phase(k, nCells_, shift)/scalar(nCells_);
+    }
+}
+
+
 void Foam::rowShift::multiply(const scalar shift) const
 {
-    for (label k = 0; 2*k <= nCells_; ++k)
+    setPhases(shift);
+
+    forAll(phases_, k)
     {
-        const complex factor(phase(k, nCells_, shift)/scalar(nCells_));
+        const complex& factor = phases_[k];
         double* re = rows_ + k;
         double* im = rows_ + nCells_ - k;
         const bool real = k == 0 || 2*k == nCells_;
