@@ -3,7 +3,7 @@
 
 On its own, any fraction and shifts, with etc/bashrc sourced:
 
-    benchmark.py --fraction 0.3 --cells 16 --shift 0.1 0.4
+    $GRAINFOAM_PYTHON benchmark.py --fraction 0.3 --cells 16 --shift 0.1 0.4
 """
 
 import argparse
