@@ -12,12 +12,12 @@ SRC = Path(__file__).resolve().parents[2]/"src"
 
 # Each may use those before it, and of the mesh what is said
 ORDER = (
-    "rigidBodies", "contact", "LeesEdwards", "immersion", "unresolved",
-    "traffic", "scene", "linearSolvers", "fusedKernels", "fvPatchFields", "flowSolvers",
-    "functionObjects", "seedDrill", "stokesModes",
+    "rigidBodies", "contact", "LeesEdwards", "linearSolvers", "immersion",
+    "unresolved", "traffic", "scene", "fusedKernels", "fvPatchFields",
+    "flowSolvers", "functionObjects", "seedDrill", "stokesModes",
 )
 WITHOUT_MESH = ("rigidBodies", "contact")
-ON_TOP = ORDER[7:]
+ON_TOP = ORDER[8:]
 
 
 def sources():
@@ -86,12 +86,12 @@ def test_libraries_use_those_before_them():
             continue
         before = ORDER.index(used) < ORDER.index(user)
         # Solvers, conditions and function objects do not use each other, but
-        # flow solvers the linear ones, the kernels and what conditions can do,
+        # flow solvers the kernels and what conditions can do,
         # the modes of Stokes flow the latter two as well, and the seed drill
         # what function objects share
         apart = used in ON_TOP and (user, used) not in (
-            ("flowSolvers", "linearSolvers"), ("flowSolvers", "fvPatchFields"),
-            ("flowSolvers", "fusedKernels"), ("seedDrill", "functionObjects"),
+            ("flowSolvers", "fvPatchFields"), ("flowSolvers", "fusedKernels"),
+            ("seedDrill", "functionObjects"),
             ("stokesModes", "fusedKernels"), ("stokesModes", "fvPatchFields"),
         )
         if not before or apart:

@@ -2,6 +2,7 @@
 
 #include "comovingDerivative.H"
 #include "LeesEdwardsPolyPatch.H"
+#include "lineRemap.H"
 #include "surfaceDisplacement.H"
 
 namespace
@@ -41,7 +42,6 @@ Foam::comovingDerivative::comovingDerivative
 :
     mesh_(mesh),
     neighbours_(neighbours),
-    remap_(mesh, neighbours),
     ddt_("Euler", 1, 1),
     active_(false),
     onSliding_(mesh.nFaces())
@@ -209,6 +209,10 @@ void Foam::comovingDerivative::update
 
     if (active_)
     {
-        remap_.setFaces(faces_);
+        if (!remap_.valid())
+        {
+            remap_ = lineRemap::New(mesh_, neighbours_);
+        }
+        remap_->setFaces(faces_);
     }
 }

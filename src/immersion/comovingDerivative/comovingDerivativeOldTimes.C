@@ -47,7 +47,7 @@ void Foam::comovingDerivative::setMoved
         return !add ? oldOld : older ? sum - ddt_.c00*moved : sum;
     };
 
-    for (const label celli : remap_.stencil())
+    for (const label celli : remap_->stencil())
     {
         y[celli] = value(U0[celli], U00[celli], y[celli]);
 
@@ -80,7 +80,7 @@ void Foam::comovingDerivative::addOldTimes
     // S0 (c0 U0 - c00 S' U00), of which c0 U0 - c00 U00 is in the source: of S'
     // once with the swept volumes, which conserve momentum, once without, for
     // what is moved on by S0
-    const labelUList& cells = remap_.cells();
+    const labelUList& cells = remap_->cells();
 
     if (ddt_.c00 > 0)
     {
@@ -94,7 +94,7 @@ void Foam::comovingDerivative::addOldTimes
 
         const vectorField swept
         (
-            remap_.move(s, components_, true, moved_())
+            remap_->move(s, components_, true, moved_())
         );
 
         forAll(cells, i)
@@ -105,7 +105,7 @@ void Foam::comovingDerivative::addOldTimes
 
     setMoved(U, true);
 
-    const vectorField swept(remap_.move(s0_, components_, true, moved_()));
+    const vectorField swept(remap_->move(s0_, components_, true, moved_()));
 
     forAll(cells, i)
     {
@@ -121,20 +121,20 @@ void Foam::comovingDerivative::follow
     volVectorField& gradP
 ) const
 {
-    const scalarField before(p, remap_.cells());
+    const scalarField before(p, remap_->cells());
 
     // It bends at surfaces, where sixth order makes it uneven
-    remap_.move(s0_, components_, false, p);
+    remap_->move(s0_, components_, false, p);
 
     forAll(before, i)
     {
-        scalar& value = p[remap_.cells()[i]];
+        scalar& value = p[remap_->cells()[i]];
 
         value = before[i] + part*(value - before[i]);
     }
     p.correctBoundaryConditions();
 
-    UIndirectList<vector>(gradP.primitiveFieldRef(), remap_.wideCells()) =
-        remap_.gradients(p);
+    UIndirectList<vector>(gradP.primitiveFieldRef(), remap_->wideCells()) =
+        remap_->gradients(p);
     gradP.correctBoundaryConditions();
 }

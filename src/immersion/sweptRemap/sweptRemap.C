@@ -119,7 +119,7 @@ Foam::Field<Type> Foam::sweptRemap::movePacked
 
 
 template<class Type>
-Foam::Field<Type> Foam::sweptRemap::move
+Foam::Field<Type> Foam::sweptRemap::moveValues
 (
     const UList<vector>& s,
     const List<direction>& components,
@@ -155,18 +155,25 @@ Foam::vectorField Foam::sweptRemap::gradients(const volScalarField& y) const
 #include "sweptRemapSweep.C"
 
 
-template Foam::scalarField Foam::sweptRemap::move
+Foam::scalarField Foam::sweptRemap::move
 (
-    const UList<vector>&,
-    const List<direction>&,
-    const bool,
-    volScalarField&
-) const;
+    const UList<vector>& s,
+    const List<direction>& components,
+    const bool smooth,
+    volScalarField& y
+) const
+{
+    return moveValues(s, components, smooth, y);
+}
 
-template Foam::vectorField Foam::sweptRemap::move
+
+Foam::vectorField Foam::sweptRemap::move
 (
-    const UList<vector>&,
-    const List<direction>&,
-    const bool,
-    volVectorField&
-) const;
+    const UList<vector>& s,
+    const List<direction>& components,
+    const bool smooth,
+    volVectorField& y
+) const
+{
+    return moveValues(s, components, smooth, y);
+}
