@@ -38,7 +38,12 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
 {
     const IOdictionary dict(immersedBodies::readProperties(mesh));
 
-    if (!immersedBodies::any(dict))
+    const word fluid
+    (
+        unresolvedCoupling::fluid(dict.subOrEmptyDict("coupling"))
+    );
+
+    if (!immersedBodies::any(dict) && fluid != "projected")
     {
         Info<< "No immersed bodies: solving as incompressibleFluid" << nl
             << endl;
@@ -46,7 +51,7 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
         return autoPtr<flowSolver>(new incompressibleFluid(mesh));
     }
 
-    return unresolvedCoupling::frozen(dict.subOrEmptyDict("coupling"))
+    return fluid == "frozen"
       ? autoPtr<flowSolver>(new frozenFluid(mesh))
       : autoPtr<flowSolver>(new immersedFluid(mesh));
 }

@@ -15,14 +15,12 @@ const Foam::wordList Foam::unresolvedCoupling::keywords
 });
 
 
-bool Foam::unresolvedCoupling::frozen(const dictionary& coupling)
+Foam::word Foam::unresolvedCoupling::fluid(const dictionary& coupling)
 {
-    return
-        Foam::keywords::choice
-        (
-            coupling, "fluid", {"solved", "frozen"}, "solved"
-        )
-     == "frozen";
+    return Foam::keywords::choice
+    (
+        coupling, "fluid", {"solved", "frozen", "projected"}, "solved"
+    );
 }
 
 
@@ -40,7 +38,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     periods_(periods),
     type_(Foam::keywords::choice(dict, "type", types, "resolved")),
     resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
-    frozen_(frozen(dict)),
+    frozen_(fluid(dict) == "frozen"),
     drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),
