@@ -48,11 +48,68 @@ TEST_CASE("Iterations end when velocities do not change", "[outerIteration]")
     CHECK(!iteration.more());
 
     // The pose at the end is not known before the second
-    CHECK(nIterations(iteration, {0.001, 0.001, 1}, true, false) == 2);
-    CHECK(nIterations(iteration, {1, 0.1, 0.011, 0.01, 1}, true, false) == 4);
+    CHECK(nIterations(iteration, {0.001, 0.0001, 1}, true, false) == 2);
+    CHECK(nIterations(iteration, {1, 0.1, 0.011, 0.001, 1}, true, false) == 4);
     CHECK(!iteration.farOff());
     CHECK(iteration.firstChange() == 1);
-    CHECK(iteration.change() == 0.01);
+    CHECK(iteration.change() == 0.001);
+}
+
+
+TEST_CASE("What slow iterations would still change", "[outerIteration]")
+{
+    outerIteration iteration(dict("tolerance 0.01;"), false);
+
+    // By half, 0.008 more would follow; by nine tenths 9 x 0.001
+    CHECK
+    (
+        nIterations(iteration, {1, 0.016, 0.008, 1}, true, false) == 3
+    );
+    CHECK
+    (
+        nIterations
+        (
+            iteration, {1, 0.011, 0.0099, 0.00891, 0.0009, 1}, true, false
+        ) == 5
+    );
+
+    // Combined ones: a tenth
+    iteration.begin();
+    for (const scalar change : {1., 0.002, 0.0011})
+    {
+        iteration.next();
+        iteration.note(change, 1, true, true, true);
+        CHECK(!iteration.converged());
+    }
+    iteration.next();
+    iteration.note(0.001, 1, true, true, true);
+    CHECK(iteration.converged());
+
+    // The slowest end at 1e-4
+    outerIteration strict(dict("tolerance 1.2e-4;"), false);
+    CHECK
+    (
+        nIterations(strict, {1, 1.3e-4, 1.15e-4, 1e-4, 1}, true, false) == 4
+    );
+}
+
+
+TEST_CASE("The default tolerance where viscosity reaches far", "[outerIteration]")
+{
+    outerIteration usual(dict(""), false);
+
+    for (const scalar reach : {0.1, 2., 100.})
+    {
+        usual.setReach(reach);
+        CHECK
+        (
+            mag(usual.tolerance() - 1e-3/min(max(reach, 1.), 4.)) < 1e-12
+        );
+    }
+
+    outerIteration given(dict("tolerance 0.01;"), false);
+    given.setReach(100);
+    CHECK(given.tolerance() == 0.01);
 }
 
 

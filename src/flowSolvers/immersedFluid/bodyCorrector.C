@@ -84,6 +84,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (iteration_.first())
     {
         iteration_.setLimit(speedLimit(change));
+        iteration_.setReach(viscousReach_);
     }
 
     // Through the mesh, the first iteration knows the pressure of the old pose
@@ -93,7 +94,8 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         change,
         speed,
         free,
-        !iteration_.first() || bodies_.window().comoving()
+        !iteration_.first() || bodies_.window().comoving(),
+        acceleration_.active()
     );
     if (oneSuffices())
     {

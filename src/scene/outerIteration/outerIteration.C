@@ -9,6 +9,20 @@ namespace
     //  makes them lag by is gone then, and the rest would take many more
     const Foam::label lastForLoads = 4;
 
+    //- Default tolerance, and by how much it is divided at most
+    const Foam::scalar usualTolerance = 1e-3;
+    const Foam::scalar maxDivisor = 4;
+
+    //- Factor by which changes fall at least, when their sum is estimated
+    const Foam::scalar slowest = 0.99;
+
+    //- What follows a change, over it, if iterations are combined: what is left
+    //  then are the parts that fall most slowly
+    const Foam::scalar slowFactor = 10;
+
+    //- Relative change at which iterations end however slowly changes fall
+    const Foam::scalar closeEnough = 1e-4;
+
     //- Relative change that corrects itself in the next time step
     const Foam::scalar acceptable = 0.02;
 
@@ -36,7 +50,11 @@ Foam::outerIteration::outerIteration
     (
         label(Foam::keywords::positiveOr(coupling, "minOuterCorrectors", 1))
     ),
-    tolerance_(Foam::keywords::positiveOr(coupling, "tolerance", 1e-4)),
+    tolerance_
+    (
+        Foam::keywords::positiveOr(coupling, "tolerance", usualTolerance)
+    ),
+    given_(coupling.found("tolerance")),
     number_(0),
     converged_(false),
     lost_(false),
@@ -97,14 +115,30 @@ void Foam::outerIteration::repeat()
 }
 
 
+void Foam::outerIteration::setReach(const scalar reach)
+{
+    if (!given_)
+    {
+        tolerance_ = usualTolerance/min(max(reach, 1), maxDivisor);
+    }
+}
+
+
 void Foam::outerIteration::note
 (
     const scalar change,
     const scalar speed,
     const bool free,
-    const bool posed
+    const bool posed,
+    const bool combined
 )
 {
+    const scalar rate = min(change/max(speedChange_, VSMALL), slowest);
+    const scalar later =
+        first() ? 1 : max(rate/(1 - rate), combined ? slowFactor : 1);
+    const scalar enough =
+        max(tolerance_/later, min(tolerance_, closeEnough))*speed;
+
     speedChange_ = change;
     change_ = change/max(speed, VSMALL);
 
@@ -117,7 +151,7 @@ void Foam::outerIteration::note
         posed
      && number_ >= least_
      && (
-            change <= tolerance_*speed
+            change <= enough
          || (!free && number_ >= lastForLoads)
         );
 }
@@ -150,6 +184,11 @@ void Foam::outerIteration::report(Ostream& os) const
 void Foam::outerIteration::describe(Ostream& os) const
 {
     os  << "at most " << most_ << " iterations, tolerance " << tolerance_;
+
+    if (!given_)
+    {
+        os  << " or less";
+    }
 
     if (least_ > 1)
     {
