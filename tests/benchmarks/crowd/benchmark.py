@@ -98,8 +98,8 @@ def speeds(case, number):
 def fixed_step(folder, box, cells):
     """Seconds per step with one fixed sphere."""
     case = crowd(
-        folder, f"fixed_{box}", np.full((1, 3), 0.5*box/cells), box, cells,
-        8, fixed=True,
+        folder, f"fixed_{box}_{cells}", np.full((1, 3), 0.5*box/cells),
+        box, cells, 8, fixed=True,
     )
     Run(case, "one fixed sphere", cells, box**3)
     return np.median(step_times(case)[2:])
