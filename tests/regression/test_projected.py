@@ -34,8 +34,14 @@ def solved(folder, n=32, ranks=1, coupling=PROJECTED):
     set_viscosity(case, NU)
     set_velocity(case, vortices(n))
     case.bodies("", coupling)
-    case.controls(endTime=f"{END}", deltaT=f"{STEP*32/n}")
-    case.solve(ranks)
+    case.controls(
+        endTime=f"{END}", deltaT=f"{STEP*32/n}", writeFormat="ascii",
+        writePrecision=12, writeControl="timeStep",
+        writeInterval=round(END/STEP*n/32),
+    )
+    case.solve(ranks, (1, ranks, 1))
+    if ranks > 1:
+        case.run("reconstructPar", "-latestTime")
     log = (case.path/"log.foamRun").read_text()
     return case.field("U")[:, :2], log
 
