@@ -9,7 +9,7 @@ import pytest
 from fallingGrain import set_viscosity
 from foamCase import FoamError
 from periodicBox import periodic_case
-from slidingBox import centres, set_velocity
+from slidingBox import centres, set_velocity, tight
 
 PROJECTED = "coupling { fluid projected; }"
 NU, END, STEP = 0.05, 0.2, 0.005
@@ -33,6 +33,7 @@ def solved(folder, n=32, ranks=1, coupling=PROJECTED):
     )
     set_viscosity(case, NU)
     set_velocity(case, vortices(n))
+    tight(case)
     case.bodies("", coupling)
     case.controls(
         endTime=f"{END}", deltaT=f"{STEP*32/n}", writeFormat="ascii",
