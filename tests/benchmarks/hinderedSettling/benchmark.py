@@ -1,9 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Spheres that settle in a triply periodic box without net volume flux."""
+"""Spheres that settle in a triply periodic box without net volume flux.
 
+On its own, any box, with etc/bashrc sourced:
+
+    $GRAINFOAM_PYTHON benchmark.py --reynolds 20 --fraction 0.2 --number 8
+"""
+
+import argparse
 import math
+import sys
+import tempfile
+from pathlib import Path
 
 import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1]/"regression")]
 
 import boxMesh
 import stream
@@ -14,19 +26,21 @@ from periodicBox import periodic_case
 from periodicTube import FLOW_RATE
 
 # D = 1, gravity along x; the speed of one sphere is about 1
-RATIO, CELLS, NUMBER = 2, 8, 27
+RATIO, CELLS = 2, 8
 FRACTIONS = 0.1, 0.2
-# Courant number of the speed of one sphere
-COURANT = 1
 # Time to forget the start, and end, by the Reynolds number
 TIMES = {1: (5, 20), 20: (10, 30)}
-# Of the random places, by the Reynolds number
-SEEDS = {1: (1,), 20: (1, 2)}
+# Numbers of spheres, and random places (seeds) of each, by the Reynolds number
+BOXES = {1: {27: (1,)}, 20: {8: (1, 2), 27: (1, 2), 64: (1,)}}
 # Blocks of the time mean
 BLOCKS = 5
 # Window of the single sphere: width, ahead, behind
 WIDTH, AHEAD, BEHIND = 30, 12, 30
-CONTACT = "contact { type inelastic; }"
+# Contact: the entries of its type
+CONTACTS = {
+    "inelastic": "",
+    "softSphere": "restitution 0.88; friction 0; collisionTime 0.05;",
+}
 
 
 def weight(reynolds):
@@ -77,9 +91,39 @@ def random_centres(number, side, gap, seed):
     raise ValueError(f"no room for {number} spheres")
 
 
-def box_case(folder, name, reynolds, n, centres):
-    """A periodic box of n cells in each direction, at D/h = CELLS."""
-    case = periodic_case(folder, name, n, 3, 0, True, length=n/CELLS)
+class Box:
+    """What a box of spheres may differ in: solid fraction (about), number,
+    random places, D/h, contact, Courant number of the speed of one sphere."""
+
+    def __init__(
+        self, fraction, number=27, seed=1, cells=CELLS, contact="inelastic",
+        courant=1,
+    ):
+        self.number = number
+        self.seed = seed
+        self.cells = cells
+        self.contact = contact
+        self.step = courant/cells
+        self.n = round(cells*(number*math.pi/(6*fraction))**(1/3))
+        self.side = self.n/cells
+        self.fraction = number*math.pi/(6*self.side**3)
+
+    def name(self):
+        name = f"fraction {self.fraction:.3f}, {self.number}"
+        name += f", seed {self.seed}"
+        if self.cells != CELLS:
+            name += f", D/h {self.cells}"
+        if self.contact != "inelastic":
+            name += f", {self.contact}"
+        if self.step != 1/self.cells:
+            name += f", Courant {self.step*self.cells:g}"
+        return name
+
+
+def box_case(folder, name, reynolds, box):
+    """A periodic box of spheres at rest."""
+    centres = random_centres(box.number, box.side, 0.1, box.seed)
+    case = periodic_case(folder, name, box.n, 3, 0, True, length=box.side)
     case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
     (case.path / "constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
     set_direct(case)
@@ -97,26 +141,19 @@ def box_case(folder, name, reynolds, n, centres):
             velocity    (0 0 0);
             angularVelocity (0 0 0);
         }}
-    """, CONTACT)
+    """, f"contact {{ type {box.contact}; {CONTACTS[box.contact]} }}")
     return case
 
 
-def suspension(folder, reynolds, fraction, single, seed=1, quick=False):
-    """Rows of a suspension of this solid fraction, about."""
-    number = NUMBER
+def suspension(folder, reynolds, box, single, quick=False):
+    """Rows of a suspension."""
     begin, end = TIMES[reynolds]
     end = begin + 5 if quick else end
-    n = round(CELLS*(number*math.pi/(6*fraction))**(1/3))
-    side = n/CELLS
-    fraction = number*math.pi/(6*side**3)
-    name = f"Re_t {reynolds:g}, solid fraction {fraction:.3f}"
-    name += f", seed {seed}"
-    case = box_case(
-        folder, f"Re{reynolds:g}_{fraction:.3f}_{seed}", reynolds, n,
-        random_centres(number, side, 0.1, seed),
-    )
-    case.controls(endTime=f"{end:g}", deltaT=f"{COURANT/CELLS:.12g}")
-    run = Run(case, name, CELLS, n**3, may_fail=True)
+    name = f"Re_t {reynolds:g}, {box.name()}"
+    place = name.replace(" ", "_").replace("/", "")
+    case = box_case(folder, place, reynolds, box)
+    case.controls(endTime=f"{end:g}", deltaT=f"{box.step:.12g}")
+    run = Run(case, name, box.cells, box.n**3, may_fail=True)
     if run.failed:
         yield run.diverged()
         return
@@ -124,27 +161,27 @@ def suspension(folder, reynolds, fraction, single, seed=1, quick=False):
     motion = case.columns("motion")
     time, speed = motion["time"], motion["velocity_x"]
     times = np.unique(time)
-    means = speed.reshape(len(times), number).mean(axis=1)
+    means = speed.reshape(len(times), box.number).mean(axis=1)
     late = times > begin
     value = means[late].mean()/single
     blocks = [b.mean()/single for b in np.array_split(means[late], BLOCKS)]
     error = np.std(blocks, ddof=1)/math.sqrt(BLOCKS)
 
     terminal = reynolds*single
-    law = (1 - fraction)**exponent(terminal)
+    law = (1 - box.fraction)**exponent(terminal)
     yield run.row("speed/single", value, law)
     yield run.row("statistical error", error)
     yield run.row("prefactor of Richardson-Zaki", value/law)
     yield run.row("exponent without prefactor",
-                  math.log(value)/math.log(1 - fraction))
+                  math.log(value)/math.log(1 - box.fraction))
     if reynolds <= 1:
-        more = value + stokes_correction(fraction, number)
+        more = value + stokes_correction(box.fraction, box.number)
         yield run.row("speed/single, infinite box", more, law)
         yield run.row("prefactor, infinite box", more/law)
 
     # Without walls the mean force balances the weight of the spheres
     force = driving_force(case)[-late.sum():].mean()
-    balance = -fraction*weight(reynolds)
+    balance = -box.fraction*weight(reynolds)
     yield run.row("force/weight", force/balance, 1)
     yield run.row("not converged", run.steps - run.converged)
     yield run.row("outers, mean", np.mean(run.outers))
@@ -177,18 +214,62 @@ def single_sphere(folder, reynolds):
             angularVelocity (0 0 0);
         }}
     """, "window { type comoving; direction (1 0 0); }")
-    case.controls(endTime="30", deltaT=f"{COURANT*h:.12g}")
+    case.controls(endTime="30", deltaT=f"{h:.12g}")
     run = Run(case, f"Re_t {reynolds:g}, one sphere", CELLS, n)
     speed = case.table("motion")["velocity_x"][-1]
     return run.row("speed", speed, clift_speed(reynolds)), speed
+
+
+def boxes(reynolds, quick):
+    """Of one Reynolds number."""
+    if quick:
+        return [Box(FRACTIONS[1])]
+    return [
+        Box(fraction, number, seed)
+        for fraction in FRACTIONS
+        for number, seeds in BOXES[reynolds].items()
+        for seed in seeds
+    ]
 
 
 def rows(folder, quick):
     for reynolds in TIMES:
         row, single = single_sphere(folder, reynolds)
         yield row
-        for fraction in FRACTIONS[1:] if quick else FRACTIONS:
-            for seed in SEEDS[reynolds][:1] if quick else SEEDS[reynolds]:
-                yield from suspension(
-                    folder, reynolds, fraction, single, seed, quick
-                )
+        for box in boxes(reynolds, quick):
+            yield from suspension(folder, reynolds, box, single, quick)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument(
+        "--reynolds", type=int, choices=TIMES, required=True,
+        help="of one sphere, about",
+    )
+    parser.add_argument(
+        "--fraction", type=float, required=True, help="of solid, about"
+    )
+    parser.add_argument("--number", type=int, default=27, help="of spheres")
+    parser.add_argument("--seed", type=int, default=1, help="of the places")
+    parser.add_argument("--cells", type=int, default=CELLS, help="D/h")
+    parser.add_argument("--contact", choices=CONTACTS, default="inelastic")
+    parser.add_argument(
+        "--courant", type=float, default=1, help="by the speed of one sphere"
+    )
+    args = parser.parse_args()
+    box = Box(
+        args.fraction, args.number, args.seed, args.cells, args.contact,
+        args.courant,
+    )
+    from report import Report
+
+    report = Report("hinderedSettling", HERE.parent/"results")
+    with tempfile.TemporaryDirectory() as folder:
+        row, single = single_sphere(folder, args.reynolds)
+        report.add(row)
+        for row in suspension(folder, args.reynolds, box, single):
+            report.add(row)
+
+
+if __name__ == "__main__":
+    main()
