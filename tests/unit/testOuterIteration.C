@@ -94,7 +94,7 @@ TEST_CASE("What slow iterations would still change", "[outerIteration]")
 }
 
 
-TEST_CASE("The default tolerance where viscosity reaches far", "[outerIteration]")
+TEST_CASE("Default tolerance where viscosity reaches far", "[outerIteration]")
 {
     outerIteration usual(dict(""), false);
 

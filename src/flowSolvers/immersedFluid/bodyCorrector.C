@@ -109,7 +109,12 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     {
         iteration_.lose();
     }
+    watchChanges(free);
+}
 
+
+void Foam::flowSolvers::immersedFluid::watchChanges(const bool free)
+{
     // What is combined has no flux: of that which iterations change little. One
     // that has converged is combined if those before it were: slow parts of
     // what is left are larger than what it has changed.

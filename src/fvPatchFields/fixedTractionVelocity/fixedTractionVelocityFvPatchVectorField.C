@@ -25,8 +25,8 @@ void Foam::fixedTractionVelocityFvPatchVectorField::checkEntries
         dict,
         {
             "type", "patchType", "value", "useImplicit",
-            "traction", "tractionCoeffs", "fan", "fanCoeffs", "flowRate", "rho", "tangentialVelocity",
-            "backflow", "relaxation", "gradient"
+            "traction", "tractionCoeffs", "fan", "fanCoeffs", "flowRate",
+            "rho", "tangentialVelocity", "backflow", "relaxation", "gradient"
         }
     );
 

@@ -2,7 +2,6 @@
 
 #include "comovingDerivative.H"
 #include "LeesEdwardsPolyPatch.H"
-#include "lineRemap.H"
 #include "surfaceDisplacement.H"
 
 namespace
@@ -42,6 +41,8 @@ Foam::comovingDerivative::comovingDerivative
 :
     mesh_(mesh),
     neighbours_(neighbours),
+    remaps_(mesh, neighbours),
+    remap_(nullptr),
     ddt_("Euler", 1, 1),
     active_(false),
     onSliding_(mesh.nFaces())
@@ -209,10 +210,6 @@ void Foam::comovingDerivative::update
 
     if (active_)
     {
-        if (!remap_.valid())
-        {
-            remap_ = lineRemap::New(mesh_, neighbours_);
-        }
-        remap_->setFaces(faces_);
+        remap_ = &remaps_.select(faces_);
     }
 }

@@ -13,6 +13,9 @@ namespace
 //- A speed [m/s] that has no direction
 const Foam::scalar tiny = 1e-100;
 
+//- Most iterations of drag and lift by shape
+const Foam::label maxShape = 50;
+
 } // End anonymous namespace
 
 
@@ -75,22 +78,7 @@ Foam::unresolvedMotion::unresolvedMotion
     }
     if (!shape_.isotropic())
     {
-        // Drag and lift of the slip at which they balance the rest
-        const vector others(lift_);
-
-        for (label i = 0; i < 50; ++i)
-        {
-            const vector F(others + shapeLift(W));
-            const scalar scale = mag(F) + sphereDrag(mag(W))*mag(W);
-            const bool done = mag(F - lift_) <= 1e-12*scale;
-
-            lift_ = F;
-            W = slip(body, ddt, g, lift_);
-            if (done)
-            {
-                break;
-            }
-        }
+        W = balanceShape(body, ddt, g, W);
     }
     setTorque(W, grad);
 
@@ -98,6 +86,35 @@ Foam::unresolvedMotion::unresolvedMotion
     const scalar b = this->drag(s);
 
     b_ = b/seen(b, s);
+}
+
+
+Foam::vector Foam::unresolvedMotion::balanceShape
+(
+    const immersedBody& body,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    vector W
+)
+{
+    const vector others(lift_);
+
+    for (label i = 0; i < maxShape; ++i)
+    {
+        const vector F(others + shapeLift(W));
+        const scalar scale = mag(F) + sphereDrag(mag(W))*mag(W);
+        const bool done = mag(F - lift_) <= 1e-12*scale;
+
+        lift_ = F;
+        W = slip(body, ddt, g, lift_);
+
+        if (done)
+        {
+            break;
+        }
+    }
+
+    return W;
 }
 
 

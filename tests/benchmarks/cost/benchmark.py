@@ -25,19 +25,23 @@ QUICK = ("2D 384x128", "2D 256x128 stretched")
 STOCK = ["pimpleFoam"]
 OURS = ["foamRun", "-solver", "incompressibleFluid"]
 IMMERSED = ["foamRun", "-solver", "immersedFluid"]
+PROJECTED = "coupling { fluid projected; }"
 
 
 def solve(case, mesh, command, settings, ranks=1, crowd=(0, 0), fixed=False,
-          direct=False):
+          direct=False, projected=False):
     """Run a copy of the case with so many bodies of such a diameter."""
     number, diameter = crowd
     kind = "fixed" if fixed else "free"
     pressure = "fastPoisson" if direct else "GAMG"
     copy = BodyCase(
         case, case.path.parent,
-        f"{command[-1]}_{pressure}_{number}_{kind}_{ranks}",
+        f"{command[-1]}_{pressure}_{number}_{kind}_{ranks}_{projected}",
     )
-    if number:
+    if projected:
+        settings += ", projected"
+        copy.bodies("", PROJECTED)
+    elif number:
         settings += f", {number} {kind}"
         copy.bodies(bodies(mesh, number, diameter, fixed))
     else:
@@ -73,6 +77,8 @@ def arguments(mesh, crowds):
     """Of the runs on one mesh, beside those of pimpleFoam."""
     yield {"command": OURS}
     yield {"command": IMMERSED}
+    if isinstance(mesh, Box):
+        yield {"projected": True, "direct": True}
     for direct in (False, True) if isinstance(mesh, Box) else (False,):
         yield {"crowd": (1, crowds[1]), "fixed": True, "direct": direct}
         for crowd in crowds.items():

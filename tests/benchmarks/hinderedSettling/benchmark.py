@@ -21,9 +21,8 @@ import boxMesh
 import stream
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, driving_force, set_direct, set_viscosity
-from periodicBox import periodic_case
-from periodicTube import FLOW_RATE
+from measure import Run, driving_force, set_viscosity
+from settlingBox import random_centres, settling_box
 
 # D = 1, gravity along x; the speed of one sphere is about 1
 RATIO, CELLS = 2, 8
@@ -76,21 +75,6 @@ def stokes_correction(fraction, number):
     return 1.7601*compressibility/viscosity*(fraction/number)**(1/3)
 
 
-def random_centres(number, side, gap, seed):
-    """Places in a periodic box, with a smallest gap between surfaces."""
-    random = np.random.default_rng(seed)
-    found = np.empty((0, 3))
-    for _ in range(1_000_000):
-        x = random.uniform(0, side, 3)
-        away = found - x
-        away -= side*np.round(away/side)
-        if (np.linalg.norm(away, axis=1) > 1 + gap).all():
-            found = np.vstack([found, x])
-            if len(found) == number:
-                return found
-    raise ValueError(f"no room for {number} spheres")
-
-
 class Box:
     """What a box of spheres may differ in: solid fraction (about), number,
     random places, D/h, contact, Courant number of the speed of one sphere."""
@@ -122,27 +106,12 @@ class Box:
 
 def box_case(folder, name, reynolds, box):
     """A periodic box of spheres at rest."""
-    centres = random_centres(box.number, box.side, 0.1, box.seed)
-    case = periodic_case(folder, name, box.n, 3, 0, True, length=box.side)
-    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
-    (case.path / "constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
-    set_direct(case)
-    set_viscosity(case, 1/reynolds)
-    case.gravity(weight(reynolds)/(RATIO - 1))
-    positions = " ".join(
-        "({:.12g} {:.12g} {:.12g})".format(*x) for x in centres
+    return settling_box(
+        folder, name, box.n, box.side,
+        random_centres(box.number, box.side, 0.1, box.seed),
+        1/reynolds, weight(reynolds)/(RATIO - 1), RATIO,
+        f"contact {{ type {box.contact}; {CONTACTS[box.contact]} }}",
     )
-    case.bodies(f"""
-        sphere
-        {{
-            shape       {{ type sphere; radius 0.5; }}
-            densityRatio {RATIO};
-            positions   ({positions});
-            velocity    (0 0 0);
-            angularVelocity (0 0 0);
-        }}
-    """, f"contact {{ type {box.contact}; {CONTACTS[box.contact]} }}")
-    return case
 
 
 def suspension(folder, reynolds, box, single, quick=False):

@@ -35,7 +35,7 @@ def jeffery_time(angle):
     return PERIOD/(2*math.pi)*math.atan(ASPECT*math.tan(angle))
 
 
-def solve(folder, dims, cells, box):
+def solve(folder, dims, cells, box, coupling=COUPLING):
     """A case after its run, and the run; box: half its width over the long
     semi-axis."""
     h = 2/cells
@@ -69,7 +69,7 @@ def solve(folder, dims, cells, box):
             velocity    (0 0 0);
             angularVelocity (0 0 {-SHEAR/(ASPECT**2 + 1)});
         }}
-    """, COUPLING)
+    """, coupling)
     case.controls(
         endTime=f"{0.6*PERIOD:.12g}", deltaT=f"{PERIOD/STEPS[dims]:.12g}"
     )

@@ -29,8 +29,9 @@ def named(run, tolerance):
 def ellipse(folder, tolerance):
     """Rows of the ellipse of `jeffery`: the fluid's viscosity rules."""
     jeffery = Report.load(HERE.parent/"jeffery")
-    jeffery.COUPLING = coupling(tolerance, "nOuterCorrectors 40;")
-    case, run = jeffery.solve(folder, 2, 8, 20)
+    case, run = jeffery.solve(
+        folder, 2, 8, 20, coupling(tolerance, "nOuterCorrectors 40;")
+    )
     named(run, tolerance)
     yield run.row("period", jeffery.figures(case)[0], jeffery.PERIOD)
     yield run.row("outers, mean", np.mean(run.outers))

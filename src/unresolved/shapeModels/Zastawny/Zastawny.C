@@ -19,7 +19,7 @@ namespace
 
 using Foam::scalar;
 
-//- Of the aspect ratios 5/4 and 5/2: tables 4, 5 and 6 of the paper
+//- Of the aspect ratios 5/4 and 5/2
 const scalar drags[2][9] =
 {
     {1.95, 18.12, 1.023, 4.26, 0.384, 21.52, 0.99, 2.86, 0.26},

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Spheres in a triply periodic box without net volume flux. D = 1, gravity
+along x."""
+
+import numpy as np
+
+from measure import set_direct, set_viscosity
+from periodicBox import periodic_case
+from periodicTube import FLOW_RATE
+
+
+def random_centres(number, side, gap, seed):
+    """Places in a periodic box, with a smallest gap between surfaces."""
+    random = np.random.default_rng(seed)
+    found = np.empty((number, 3))
+    n = 0
+    for _ in range(10_000_000):
+        x = random.uniform(0, side, 3)
+        away = found[:n] - x
+        away -= side*np.round(away/side)
+        if ((away**2).sum(axis=1) > (1 + gap)**2).all():
+            found[n] = x
+            n += 1
+            if n == number:
+                return found
+    raise ValueError(f"no room for {number} spheres")
+
+
+def settling_box(
+    folder, name, cells, side, centres, nu, gravity, ratio, entries, motion=""
+):
+    """The case, at rest. cells: per side; nu and gravity in units of the
+    caller; entries: before the bodies; motion: more of the spheres."""
+    case = periodic_case(folder, name, cells, 3, 0, True, length=side)
+    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
+    (case.path/"constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
+    set_direct(case)
+    set_viscosity(case, nu)
+    case.gravity(gravity)
+    positions = " ".join(
+        "({:.12g} {:.12g} {:.12g})".format(*x) for x in centres
+    )
+    case.bodies(f"""
+        sphere
+        {{
+            shape       {{ type sphere; radius 0.5; }}
+            densityRatio {ratio};
+            positions   ({positions});
+            velocity    (0 0 0);
+            angularVelocity (0 0 0);
+            {motion}
+        }}
+    """, entries)
+    return case
