@@ -186,7 +186,9 @@ def test_restart(tmp_path):
     """Byte for byte, in the middle of a passage."""
     whole = prepare(tmp_path, "whole", shift=0.37, end=0.08, dt=0.01)
     whole.bodies(disc(0.31, 0.93, 0.43), TIGHT)
-    whole.controls(writeFormat="binary", writeInterval=4)
+    whole.controls(
+        writeFormat="binary", writeInterval=4, writePrecision=17,
+    )
     parts = whole.copy(tmp_path, "parts")
     whole.solve()
     parts.controls(endTime=0.04)

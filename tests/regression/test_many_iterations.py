@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from report import Report  # noqa: E402
 
 kissing = Report.load(Path(__file__).parents[1] / "benchmarks/kissing")
+crowd = Report.load(Path(__file__).parents[1] / "benchmarks/crowd")
 
 
 def all_converge(case, run):
@@ -40,3 +41,12 @@ def test_film(tmp_path):
     one, other = (case.table("motion", body)["position_y"] for body in (0, 1))
     assert abs(one - other).min() < 1.01
     assert run.steps == 125
+
+
+def test_crowd_from_rest_and_in_contact(tmp_path):
+    """Spheres that begin to settle, and touch: 25 and up to 20 iterations, ten in
+    the mean, where the layers between them wait for the projection."""
+    run, _, _ = crowd.solve(tmp_path, 18, 32, 8, 48)
+    assert run.converged == run.steps
+    assert max(run.outers) <= 10
+    assert sum(run.outers[24:])/24 < 4.5

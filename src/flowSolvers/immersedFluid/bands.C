@@ -48,6 +48,7 @@ bool Foam::flowSolvers::immersedFluid::mayWait() const
 {
     // A flow rate is held everywhere, and options may be for all cells
     return iteration_.number() < lastBandOuter
+     && !layers_.active()
      && fvOptions.optionList::empty()
      && bandsCanSuffice();
 }

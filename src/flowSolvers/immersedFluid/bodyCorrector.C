@@ -126,7 +126,8 @@ void Foam::flowSolvers::immersedFluid::watchChanges(const bool free)
             free && iteration_.more() && CoNum < maxAccelerated
           ? iteration_.change()
           : 0,
-            max(farEnough*iteration_.tolerance(), noise)
+            max(farEnough*iteration_.tolerance(), noise),
+            layers_.active()
         );
     }
 }

@@ -69,6 +69,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
      && laminarTransport.get<word>("transportModel") == "Newtonian"
     ),
     projection_(p_, pRefCell),
+    layers_(projection_.dp(), pRefCell, bodies_.region()),
     correction_
     (
         p_, projection_.dp(), U_, bodies_.region(), bodies_.moving()

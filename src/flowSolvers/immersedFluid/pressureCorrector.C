@@ -12,6 +12,19 @@
 
 namespace
 {
+    //- Outer iterations in which the projection alone is enough: most time
+    //  steps have no more
+    const Foam::label nPlain = 2;
+
+    //- Viscous reach, in cells, squared, and Courant number up to which the
+    //  response of the fluid to the pressure is that of layerProjection
+    const Foam::scalar maxLayerReach = 1.03;
+    const Foam::scalar maxLayerCourant = 2;
+
+    //- Density ratio of bodies for which the pressure may respond in full: that
+    //  on lighter ones follows their own acceleration
+    const Foam::scalar leastRatio = 0.5;
+
     //- Does anything flow through a patch that is not coupled
     bool crossesPatches(const Foam::surfaceScalarField& phi)
     {
@@ -47,9 +60,19 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(divergence(phi_));
 
-    project(tau, divPhi);
+    layers_.begin(layersLag());
+    if (layers_.active())
+    {
+        correction_.complete(tau.value());
+        layers_.correct(tau, divPhi, phi_, p_);
+    }
+    project(tau, layers_.active() ? divergence(phi_) : divPhi);
     updatePressure(divPhi);
     correction_.find(tau.value(), mayWait());
+    if (layers_.active())
+    {
+        layers_.addVelocity(tau, correction_.dU());
+    }
     holdFlowRate(tau.value());
 
     const vectorField before(bodies_.velocities());
@@ -145,6 +168,31 @@ void Foam::flowSolvers::immersedFluid::project
         );
     }
     projection_.correctFlux(tau, phi_);
+}
+
+
+bool Foam::flowSolvers::immersedFluid::layersLag() const
+{
+    if
+    (
+        iteration_.number() <= nPlain
+     || !bodies_.anyFree()
+     || viscousReach_ > maxLayerReach
+     || CoNum > maxLayerCourant
+    )
+    {
+        return false;
+    }
+
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        if (bodies_[bodyi].densityRatio() < leastRatio)
+        {
+            return false;
+        }
+    }
+
+    return true;
 }
 
 

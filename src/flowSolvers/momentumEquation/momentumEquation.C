@@ -5,14 +5,12 @@
 
 namespace
 {
-    //- Part of the usual smoothing of the flux by the pressure: enough against
-    //  wiggles, and what it leaks through the bodies is below the error of the
-    //  layer
-    const Foam::scalar smoothingPart = 0.1;
-
     //- Residual of a solution that there is none of; solvers begin below one
     const Foam::scalar lost = 100;
 }
+
+
+const Foam::scalar Foam::momentumEquation::smoothingPart = 0.1;
 
 
 Foam::momentumEquation::momentumEquation

@@ -11,6 +11,10 @@ namespace
     //  those after them may leave
     const Foam::label nPlain = 2;
     const Foam::scalar slow = 0.5;
+
+    //- Iterations that are combined only if changes grow, when each of them
+    //  has done what it can
+    const Foam::label nPatient = 10;
 }
 
 
@@ -39,13 +43,18 @@ void Foam::outerAcceleration::watch
 (
     const label outer,
     const scalar change,
-    const scalar least
+    const scalar least,
+    const bool patient
 )
 {
+    // The first of those that do what they can changes more than those before
+    const bool wait = patient && outer <= nPatient;
+    const label last = wait ? nPlain + 1 : nPlain;
+
     active_ =
-        outer > nPlain
+        outer > last
      && change > least
-     && (active_ || change > slow*change_);
+     && (active_ || change > (wait ? 1 : slow)*change_);
     change_ = change;
 
     if (!active_)
