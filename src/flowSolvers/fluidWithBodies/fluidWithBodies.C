@@ -215,7 +215,8 @@ Foam::flowSolvers::fluidWithBodies::moveUnresolved(const ddtCoefficients& ddt)
         tnu().primitiveField(),
         tnuEff().primitiveField(),
         tk.valid() ? &tk().primitiveField() : nullptr,
-        tepsilon.valid() ? &tepsilon().primitiveField() : nullptr
+        tepsilon.valid() ? &tepsilon().primitiveField() : nullptr,
+        nullptr
     };
 
     return bodies_.correctUnresolved(ddt, flow);

@@ -3,6 +3,7 @@
 #include "immersedFluid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "bodyWalls.H"
+#include "denseFluid.H"
 #include "frozenFluid.H"
 #include "functionObject.H"
 #include "fvcFlux.H"
@@ -38,10 +39,8 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
 {
     const IOdictionary dict(immersedBodies::readProperties(mesh));
 
-    const word fluid
-    (
-        unresolvedCoupling::fluid(dict.subOrEmptyDict("coupling"))
-    );
+    const dictionary coupling(dict.subOrEmptyDict("coupling"));
+    const word fluid(unresolvedCoupling::fluid(coupling));
 
     if (!immersedBodies::any(dict) && fluid != "projected")
     {
@@ -49,6 +48,11 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
             << endl;
 
         return autoPtr<flowSolver>(new incompressibleFluid(mesh));
+    }
+
+    if (unresolvedCoupling::voidFraction(coupling) && fluid == "solved")
+    {
+        return autoPtr<flowSolver>(new denseFluid(mesh));
     }
 
     return fluid == "frozen"

@@ -17,9 +17,18 @@
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 {
-    const scalarField& V = mesh_.V();
-    scalarField contErr(V.size(), Zero);
+    scalarField contErr(mesh_.nCells(), Zero);
     fvc::surfaceIntegrate(contErr, phi_);
+    continuityErrors(contErr);
+}
+
+
+void Foam::flowSolvers::incompressibleFluid::continuityErrors
+(
+    const scalarField& contErr
+)
+{
+    const scalarField& V = mesh_.V();
 
     // Of magnitudes, of values, and of volumes
     vector sums(Zero);

@@ -3,49 +3,43 @@
 #include "incompressibleFluid.H"
 #include "faceSums.H"
 
-namespace
+Foam::scalar Foam::flowSolvers::incompressibleFluid::courantNo
+(
+    const surfaceScalarField& phi,
+    const char* prefix
+)
 {
-    //- Largest Courant number of a flux; prints it after the mean
-    Foam::scalar courantNo
+    const fvMesh& mesh = phi.mesh();
+    const scalar deltaT = mesh.time().deltaTValue();
+
+    const scalarField& V = mesh.V();
+
+    scalar largest = 0;
+    vector2D sums(Zero);
+
+    faceSums
     (
-        const Foam::surfaceScalarField& phi,
-        const char* prefix
-    )
-    {
-        using namespace Foam;
+        phi,
+        [](const scalar flux) { return mag(flux); },
+        [&](const label celli, const scalar sumPhi)
+        {
+            largest = max(largest, sumPhi/V[celli]);
+            sums[0] += sumPhi;
+            sums[1] += V[celli];
 
-        const fvMesh& mesh = phi.mesh();
-        const scalar deltaT = mesh.time().deltaTValue();
+            return sumPhi;
+        }
+    );
+    reduce(sums, sumOp<vector2D>());
 
-        const scalarField& V = mesh.V();
+    const scalar CoNum =
+        0.5*returnReduce(largest, maxOp<scalar>())*deltaT;
+    const scalar meanCoNum = 0.5*(sums[0]/sums[1])*deltaT;
 
-        scalar largest = 0;
-        vector2D sums(Zero);
+    Info<< prefix << "Courant Number mean: " << meanCoNum
+        << " max: " << CoNum << endl;
 
-        faceSums
-        (
-            phi,
-            [](const scalar flux) { return mag(flux); },
-            [&](const label celli, const scalar sumPhi)
-            {
-                largest = max(largest, sumPhi/V[celli]);
-                sums[0] += sumPhi;
-                sums[1] += V[celli];
-
-                return sumPhi;
-            }
-        );
-        reduce(sums, sumOp<vector2D>());
-
-        const scalar CoNum =
-            0.5*returnReduce(largest, maxOp<scalar>())*deltaT;
-        const scalar meanCoNum = 0.5*(sums[0]/sums[1])*deltaT;
-
-        Info<< prefix << "Courant Number mean: " << meanCoNum
-            << " max: " << CoNum << endl;
-
-        return CoNum;
-    }
+    return CoNum;
 }
 
 

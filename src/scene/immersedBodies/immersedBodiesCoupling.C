@@ -227,6 +227,48 @@ Foam::tmp<Foam::vectorField> Foam::immersedBodies::correctUnresolved
 }
 
 
+Foam::scalar Foam::immersedBodies::minVoid() const
+{
+    return unresolved_->minVoid();
+}
+
+
+void Foam::immersedBodies::updateKernels()
+{
+    unresolved_->update(bodies_, h_);
+}
+
+
+void Foam::immersedBodies::linearise
+(
+    const ddtCoefficients& ddt,
+    const carrierFlow& flow,
+    const vectorField& a,
+    scalarField& drag,
+    scalarField& part,
+    vectorField& force
+)
+{
+    addProfiling(linearise, "immersedBodies::linearise");
+
+    unresolved_->linearise(bodies_, ddt, g_, flow, a, drag, part, force);
+}
+
+
+void Foam::immersedBodies::advance
+(
+    const ddtCoefficients& ddt,
+    const vectorField& U,
+    const vectorField& a
+)
+{
+    addProfiling(advance, "immersedBodies::advance");
+
+    unresolved_->advance(bodies_, ddt, g_, U, a);
+    noteUnresolved();
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
 {
     tmp<volScalarField> tfraction(region_.bodyFraction());

@@ -85,6 +85,11 @@ void Foam::unresolvedCoupling::check
             << "'" << nl << exit(FatalError);
     }
 
+    if (dense_)
+    {
+        checkDense(body);
+    }
+
     if (body.restrained() && type(body) != "resolved")
     {
         FatalErrorInFunction

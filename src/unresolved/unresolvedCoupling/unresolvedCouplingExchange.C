@@ -32,7 +32,9 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
                 weight,
                 kernel.r[i],
                 U[celli] - kernel.imageU[i],
-                ddt(U[celli], U0[celli], U00[celli])
+                flow.ddtU
+              ? (*flow.ddtU)[celli]
+              : ddt(U[celli], U0[celli], U00[celli])
             );
             samples[bodyi].addScalars
             (

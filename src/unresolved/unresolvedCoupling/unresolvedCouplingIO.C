@@ -11,7 +11,7 @@ const Foam::wordList Foam::unresolvedCoupling::types
 const Foam::wordList Foam::unresolvedCoupling::keywords
 ({
     "type", "resolvedFrom", "dragModel", "dispersion", "lift", "shapeModel",
-    "fluid", "kernel"
+    "fluid", "kernel", "voidFraction", "minVoidFraction"
 });
 
 
@@ -21,6 +21,14 @@ Foam::word Foam::unresolvedCoupling::fluid(const dictionary& coupling)
     (
         coupling, "fluid", {"solved", "frozen", "projected"}, "solved"
     );
+}
+
+
+bool Foam::unresolvedCoupling::voidFraction(const dictionary& coupling)
+{
+    return
+        Foam::keywords::choice(coupling, "voidFraction", {"yes", "no"}, "no")
+     == "yes";
 }
 
 
@@ -39,6 +47,8 @@ Foam::unresolvedCoupling::unresolvedCoupling
     type_(Foam::keywords::choice(dict, "type", types, "resolved")),
     resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
     frozen_(fluid(dict) == "frozen"),
+    dense_(voidFraction(dict)),
+    minVoid_(Foam::keywords::positiveOr(dict, "minVoidFraction", 0.3)),
     drag_(dragModel::New(dict.subOrEmptyDict("dragModel"))),
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),
@@ -80,6 +90,11 @@ Foam::unresolvedCoupling::unresolvedCoupling
             << " are those of spheres" << nl << exit(FatalIOError);
     }
 
+    if (dense_)
+    {
+        checkDense(dict);
+    }
+
     forAll(bodies, bodyi)
     {
         check(bodies[bodyi], grains_[bodyi]);
@@ -110,6 +125,10 @@ void Foam::unresolvedCoupling::report(Ostream& os) const
     if (frozen_)
     {
         os  << ", frozen fluid";
+    }
+    if (dense_)
+    {
+        os  << ", with the void fraction";
     }
     if (dispersion_.valid())
     {

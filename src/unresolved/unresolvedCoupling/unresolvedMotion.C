@@ -29,7 +29,8 @@ Foam::unresolvedMotion::unresolvedMotion
     const vector& g,
     const vector& meshU,
     const vector& fluctuation,
-    const PtrList<liftModel>& lifts
+    const PtrList<liftModel>& lifts,
+    const densePart& dense
 )
 :
     drag_(drag),
@@ -39,7 +40,9 @@ Foam::unresolvedMotion::unresolvedMotion
     D_(cbrt(6*V_/pi)),
     R_(body.state().orientation.R()),
     direction_(Zero),
-    response_(fluid.crowd()/ddt.c),
+    void_(1),
+    pressure_(Zero),
+    response_(dense.active ? 0 : fluid.crowd()/ddt.c),
     oldLoad_(body.load().force),
     lift_(Zero)
 {
@@ -48,8 +51,7 @@ Foam::unresolvedMotion::unresolvedMotion
 
     alone_ = max(1 - others/own, 0);
 
-    // Packed as densely as spheres can be by chance, at most
-    phi_ = min(others + (1 - alone_)*own, 0.64);
+    phi_ = min(others + (1 - alone_)*own, dense.maxFraction);
 
     if (fluid.crowd() == 0)
     {
@@ -65,6 +67,12 @@ Foam::unresolvedMotion::unresolvedMotion
     );
     DuDt_ = acceleration(grad, u_ + fluctuation - body.state().U, u_ - meshU);
     u_ += fluctuation;
+
+    if (dense.active)
+    {
+        void_ = 1 - phi_;
+        pressure_ = dense.pressure - DuDt_;
+    }
 
     vector W(slip(body, ddt, g, lift_));
 
@@ -85,6 +93,7 @@ Foam::unresolvedMotion::unresolvedMotion
     const scalar s = mag(W);
     const scalar b = this->drag(s);
 
+    slip_ = W;
     b_ = b/seen(b, s);
 }
 
@@ -139,6 +148,7 @@ Foam::vector Foam::unresolvedMotion::slip
         const vector rest
         (
             1.5*V_*DuDt_ + (r - 1)*V_*g + body.contactTerm(ddt).linear + lift
+          + V_*pressure_
         );
 
         U += (rest/mass - dUdt)/ddt.c;
@@ -161,7 +171,7 @@ Foam::scalar Foam::unresolvedMotion::sphereDrag(const scalar s) const
 {
     const scalar nu = fluid_.nu();
 
-    return 3*pi*nu*D_*drag_.K(s*D_/nu, phi_);
+    return 3*pi*nu*D_*drag_.K(void_*s*D_/nu, phi_)*sqr(void_);
 }
 
 
@@ -285,9 +295,7 @@ Foam::bodyLoad Foam::unresolvedMotion::load
     const ddtCoefficients& ddt
 ) const
 {
-    const bodyState& state = body.state();
     const rigidMomentum rate(body.ddtMomentum(ddt));
-    const tensor I(body.inertia(state));
     const scalar implicit = 1/(1 + response_*b_);
     bodyLoad load;
 
@@ -295,15 +303,30 @@ Foam::bodyLoad Foam::unresolvedMotion::load
        *(
             1.5*(rate.linear - V_*DuDt_)
           - lift_
-          - b_*(u_ - response_*oldLoad_ - state.U)
+          - b_*(u_ - response_*oldLoad_ - body.state().U)
         );
-    load.torque = rate.angular - torque_ - (turning_ & (spin_ - state.omega));
-
     load.a = implicit*(1.5*V_*ddt.c + b_);
+    addTorque(body, ddt, load);
+
+    return load;
+}
+
+
+void Foam::unresolvedMotion::addTorque
+(
+    const immersedBody& body,
+    const ddtCoefficients& ddt,
+    bodyLoad& load
+) const
+{
+    const bodyState& state = body.state();
+    const tensor I(body.inertia(state));
+
+    load.torque =
+        body.ddtMomentum(ddt).angular - torque_
+      - (turning_ & (spin_ - state.omega));
     load.aRowCol =
         ddt.c*(0.5*tr(I)*tensor::I - I)
       + 0.5*tr(turning_)*tensor::I - turning_;
     load.volume = V_;
-
-    return load;
 }

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "unresolvedCoupling.H"
+#include "checkKeywords.H"
+#include "compat.H"
+#include "unresolvedMotion.H"
+
+void Foam::unresolvedCoupling::checkDense(const dictionary& coupling) const
+{
+    if (type_ != "unresolved")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'voidFraction yes' in 'coupling' needs 'type unresolved' there"
+            << " and not '" << type_ << "'" << nl << exit(FatalIOError);
+    }
+
+    if (fluid(coupling) != "solved")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'voidFraction yes' in 'coupling' needs 'fluid solved' there"
+            << " and not '" << fluid(coupling) << "'" << nl
+            << exit(FatalIOError);
+    }
+
+    if (minVoid_ >= 1)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'minVoidFraction " << minVoid_ << "' in 'coupling' must be"
+            << " less than 1" << nl << exit(FatalIOError);
+    }
+}
+
+
+void Foam::unresolvedCoupling::checkDense(const immersedBody& body) const
+{
+    const dictionary dict
+    (
+        fileName(mesh_.time().constant()/"immersedBodyProperties")
+    );
+
+    if (type(body) != "unresolved")
+    {
+        FatalIOErrorInFunction(dict)
+            << "'voidFraction yes' in 'coupling' needs bodies that are all"
+            << " 'unresolved', and " << body.name() << " is of the type '"
+            << type(body) << "'" << nl << exit(FatalIOError);
+    }
+
+    const vector free(body.freedom());
+
+    if (cmptMax(free) != cmptMin(free))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'voidFraction yes' in 'coupling' needs bodies that move freely"
+            << " or in no direction: 'translate' in 'constraints' of "
+            << body.name() << " is " << free
+            << ", allowed are (1 1 1) and (0 0 0)" << nl << exit(FatalIOError);
+    }
+}
+
+
+template<class Value>
+Foam::vectorField Foam::unresolvedCoupling::kernelMeans
+(
+    const label n,
+    const Value& value
+) const
+{
+    const scalarField& V = mesh_.V();
+    vectorField means(n, Zero);
+
+    forAll(means, bodyi)
+    {
+        const bodyKernel& kernel = grains_[bodyi].kernel;
+        vector sum(Zero);
+
+        forAll(kernel.cells, i)
+        {
+            sum += kernel.weight[i]*V[kernel.cells[i]]*value(bodyi, i);
+        }
+        means[bodyi] = sum;
+    }
+
+    if (Pstream::parRun())
+    {
+        compat::allReduce(means, plusEqOp<vector>());
+    }
+
+    return means;
+}
+
+
+void Foam::unresolvedCoupling::linearise
+(
+    PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    const carrierFlow& flow,
+    const vectorField& a,
+    scalarField& drag,
+    scalarField& part,
+    vectorField& force
+)
+{
+    samples_ = sample(bodies, ddt, flow);
+
+    const vectorField pressure
+    (
+        kernelMeans
+        (
+            bodies.size(),
+            [&](const label bodyi, const label i)
+            {
+                return a[grains_[bodyi].kernel.cells[i]];
+            }
+        )
+    );
+    densePart dense;
+
+    dense.active = true;
+    dense.maxFraction = 1 - minVoid_;
+    motions_.clear();
+    motions_.resize(bodies.size());
+    forces_ = List<grainForce>(bodies.size());
+
+    forAll(bodies, bodyi)
+    {
+        const grain& one = grains_[bodyi];
+        const bodyKernel& kernel = one.kernel;
+
+        if (!one.inside)
+        {
+            continue;
+        }
+
+        dense.pressure = pressure[bodyi];
+        motions_.set
+        (
+            bodyi,
+            new unresolvedMotion
+            (
+                drag_(),
+                samples_[bodyi],
+                bodies[bodyi],
+                *one.shape,
+                ddt,
+                g,
+                vector::zero,
+                fluctuation(samples_[bodyi], bodies[bodyi]),
+                lifts_,
+                dense
+            )
+        );
+
+        const grainForce f
+        (
+            motions_[bodyi].implicitForce(bodies[bodyi], ddt, g)
+        );
+
+        forces_[bodyi] = f;
+        forAll(kernel.cells, i)
+        {
+            const label celli = kernel.cells[i];
+
+            drag[celli] += kernel.weight[i]*f.k;
+            part[celli] -= kernel.weight[i]*f.v;
+            force[celli] -= kernel.weight[i]*(f.f - f.k*kernel.imageU[i]);
+        }
+    }
+}
+
+
+void Foam::unresolvedCoupling::advance
+(
+    PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    const vectorField& U,
+    const vectorField& a
+) const
+{
+    const vectorField varying
+    (
+        kernelMeans
+        (
+            bodies.size(),
+            [&](const label bodyi, const label i)
+            {
+                const bodyKernel& kernel = grains_[bodyi].kernel;
+                const grainForce& f = forces_[bodyi];
+                const label celli = kernel.cells[i];
+
+                return f.k*(U[celli] - kernel.imageU[i]) + f.v*a[celli];
+            }
+        )
+    );
+
+    forAll(bodies, bodyi)
+    {
+        if (!grains_[bodyi].inside)
+        {
+            continue;
+        }
+
+        const vector F(varying[bodyi] + forces_[bodyi].f);
+        immersedBody& body = bodies[bodyi];
+
+        // The equation is linear: the second time sets the load only
+        for (label k = 0; k < 2; ++k)
+        {
+            body.correctVelocity(motions_[bodyi].load(body, ddt, F), ddt, g);
+        }
+    }
+}
