@@ -8,6 +8,7 @@ import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
 from periodicBox import periodic_case
+from unresolvedBox import entries, grain_box
 
 COUPLING = "type unresolved; voidFraction yes; dragModel {{ type {drag}; }}"
 TIGHT = """solver          PCG;
@@ -81,3 +82,34 @@ def bed(folder, phi, nu, K, drag, cells=6):
     write_positions(case, lattice(cells))
     case.bodies(grains(D/2), f"coupling {{ {COUPLING.format(drag=drag)} }}")
     return case
+
+
+# Density ratio, radius, position, velocity; kernels of some overlap, the first
+# is on the boundary of the box and of two processors
+MOVING = (
+    (2.5, 0.06, (0.5, 0.5, 0.98), (3, 0, 0)),
+    (0.1, 0.08, (0.3, 0.6, 0.5), (0, 1, -2)),
+    (1, 0.08, (0.7, 0.2, 0.6), (0, 1, -2)),
+    (40, 0.07, (0.45, 0.25, 0.3), (0.3, 0.5, 0.2)),
+    (1000, 0.08, (0.65, 0.75, 0.36), (0.3, -0.5, 0.2)),
+)
+
+
+def moving_box(folder, name="box", nu=0.5, drag="Gidaspow"):
+    """12^3 cells of side 1 with a fluid that moves along x, at a speed of 1,
+    and grains that move through it. All steps are written."""
+    case = grain_box(folder, name, nu)
+    solve_tightly(case)
+    case.bodies(
+        entries(MOVING), f"coupling {{ {COUPLING.format(drag=drag)} }}"
+    )
+    case.controls(
+        endTime=0.2, deltaT=0.02, writeControl="timeStep", writeInterval=1,
+        writeFormat="ascii", writePrecision=17,
+    )
+    return case
+
+
+def steps(case):
+    """Of a run in ascii that starts from zero: names of the times."""
+    return case.times()[1:]

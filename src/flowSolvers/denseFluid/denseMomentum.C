@@ -10,6 +10,13 @@
 #include "meshProperties.H"
 #include "profiling.H"
 
+namespace
+{
+    //- Part of the usual smoothing of the flux by the pressure
+    const Foam::scalar smoothingPart = 0.1;
+}
+
+
 bool Foam::flowSolvers::denseFluid::stokes() const
 {
     return word(mesh_.divScheme("div(phi,U)")) == "none";
@@ -137,6 +144,8 @@ void Foam::flowSolvers::denseFluid::momentumPredictor()
 
     tmp<fvVectorMatrix> tEqn(assembleMomentum());
 
+    smoothing_ = smoothingPart*void_/tEqn().A();
+    smoothing_.ref().primitiveFieldRef() *= part_;
     tEqn.ref().solve(mesh_.solver(U_.select(true)));
     fvOptions.correct(U_);
 }

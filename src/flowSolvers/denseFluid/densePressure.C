@@ -60,7 +60,7 @@ void Foam::flowSolvers::denseFluid::pressureCorrector()
     mobility.primitiveFieldRef() = void_.primitiveField()*response;
     mobility.correctBoundaryConditions();
 
-    smoothedFlux(void_*U_, p_, gradP_(), mobility).set(phi_);
+    smoothedFlux(void_*U_, p_, gradP_(), smoothing_()).set(phi_);
     if (p_.needReference())
     {
         adjustPhi(phi_, U_, p_);
@@ -89,6 +89,7 @@ void Foam::flowSolvers::denseFluid::pressureCorrector()
         dp_.primitiveField() - tnu().primitiveField()*lost;
     p_.correctBoundaryConditions();
     gradP_.clear();
+    smoothing_.clear();
 
     bodies_.advance(meshProperties::ddt(mesh_, U_.name()), U_, a_);
 }
