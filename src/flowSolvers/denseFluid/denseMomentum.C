@@ -146,6 +146,7 @@ void Foam::flowSolvers::denseFluid::momentumPredictor()
 
     smoothing_ = smoothingPart*void_/tEqn().A();
     smoothing_.ref().primitiveFieldRef() *= part_;
+    smoothing_.ref().correctBoundaryConditions();
     tEqn.ref().solve(mesh_.solver(U_.select(true)));
     fvOptions.correct(U_);
 }
