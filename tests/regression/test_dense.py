@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+import refusals
 from bodyCase import BodyCase
 from denseBox import (
     MOVING, bed, drag_force, ergun, gidaspow, lone_grain, moving_box, suspension,
@@ -134,3 +135,85 @@ def test_restart_is_exact(ranks, tmp_path):
             for case in (at_once, parts)
         )
         assert a == b, name
+
+
+WRONG = {
+    "word": ("voidFraction maybe;", ["'voidFraction maybe'", "yes", "no"]),
+    "type": (
+        "type auto;", ["'voidFraction yes'", "'type unresolved'", "'auto'"]
+    ),
+    "frozen": (
+        "fluid frozen;", ["'voidFraction yes'", "'fluid solved'", "'frozen'"]
+    ),
+    "limit": ("minVoidFraction 1;", ["'minVoidFraction 1'", "less than 1"]),
+}
+WRONG_BODIES = {
+    "resolved": (
+        "coupling resolved;",
+        ["'voidFraction yes'", "all 'unresolved'", "'resolved'"],
+    ),
+    "constraints": (
+        "constraints { translate (1 0 1); rotate (1 1 1); }",
+        ["'translate'", "(1 0 1)", "allowed are (1 1 1) and (0 0 0)"],
+    ),
+}
+GRAIN = """one
+{{
+    shape           {{ type sphere; radius 0.05; }}
+    densityRatio    2;
+    position        (0.5 0.5 0.5);
+    {}
+}}"""
+
+
+def wrong_scheme(case):
+    case.replace("system/fvSchemes", "Euler", "backward")
+
+
+
+def wrong_window(case):
+    path = case.path/"constant/immersedBodyProperties"
+    path.write_text(
+        path.read_text() + "window { type comoving; direction (1 0 0); }\n"
+    )
+
+
+def with_entry(entry, grain=""):
+    def change(case):
+        first = "" if entry.startswith("type") else "type unresolved;"
+        second = "" if entry.startswith("voidF") else "voidFraction yes;"
+        case.bodies(
+            GRAIN.format(grain), f"coupling {{ {first} {second} {entry} }}"
+        )
+    return change
+
+
+@pytest.fixture(scope="module")
+def refused(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("refused")
+    case = moving_box(folder, "base")
+    with_entry("")(case)
+    return refusals.of_copies(case, folder, {
+        "scheme": wrong_scheme,
+        "window": wrong_window,
+        **{name: with_entry(entry) for name, (entry, _) in WRONG.items()},
+        **{
+            name: with_entry("", entry)
+            for name, (entry, _) in WRONG_BODIES.items()
+        },
+    })
+
+
+@pytest.mark.fast
+@pytest.mark.parametrize("wrong", [*WRONG, *WRONG_BODIES])
+def test_wrong_entries_are_refused(wrong, refused):
+    parts = {**WRONG, **WRONG_BODIES}[wrong][1]
+    refused[wrong].names(*parts, "immersedBodyProperties")
+
+
+@pytest.mark.fast
+def test_what_does_not_go_with_a_void_fraction_is_refused(refused):
+    refused["scheme"].names("'backward'", "allowed is 'Euler'", "fvSchemes")
+    refused["window"].names(
+        "'type comoving'", "allowed is 'type fixed'", "immersedBodyProperties"
+    )
