@@ -53,6 +53,39 @@ TEST_CASE("Drag of Clift: the standard curve", "[drag]")
 }
 
 
+TEST_CASE("Drag of Ergun: the pressure drop of a bed", "[drag]")
+{
+    const autoPtr<dragModel> drag(model("Ergun"));
+    const scalar D = 0.003, nu = 1.5e-5, phi = 0.6, e = 0.4, W = 0.7;
+
+    // Ergun (1952): over the density, for 6 phi/(pi D^3) spheres per volume
+    const scalar drop =
+        150*nu*sqr(phi)*W/(pow3(e)*sqr(D)) + 1.75*phi*sqr(W)/(pow3(e)*D);
+
+    CHECK(18*nu*phi/sqr(D)*W*drag->K(W*D/nu, phi) == Approx(drop));
+}
+
+
+TEST_CASE("Drag of Gidaspow: Ergun, and Wen & Yu", "[drag]")
+{
+    const autoPtr<dragModel> drag(model("Gidaspow"));
+
+    for (const scalar Re : {0., 10., 300., 2000.})
+    {
+        CHECK(drag->K(Re, 0.21) == model("Ergun")->K(Re, 0.21));
+        CHECK
+        (
+            drag->K(Re, 0.1)
+         == Approx
+            (
+                model("SchillerNaumann")->K(Re, 0)*Foam::pow(0.9, -4.65)
+            )
+        );
+        CHECK(drag->K(Re, 0) == Approx(model("SchillerNaumann")->K(Re, 0)));
+    }
+}
+
+
 TEST_CASE("Drag of Clift hardly jumps between its fits", "[drag]")
 {
     const autoPtr<dragModel> drag(model("Clift"));

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Time per step and grain of a bed whose void fraction is part of the equations
+of the fluid."""
+
+import re
+
+import numpy as np
+
+from denseBox import COUPLING, column, grains, write_positions
+from measure import Result
+
+NUMBERS, QUICK_NUMBERS = (1000, 10000, 100000), (1000,)
+KERNELS = {"1.5": "cells 1.5; diameters 3;", "3": "cells 3; diameters 3;"}
+PHI, DIAMETER, CELL = 0.4, 1e-3, 2e-3       # volume fraction; [m]
+SPEED, STEP = 0.6, 5e-4                     # of the air [m/s]; [s]
+WARM, STEPS = 3, 9
+# The first two are in momentum and pressure, contact is in the next two
+PARTS = {
+    "linearise": "immersedBodies::linearise",
+    "advance": "immersedBodies::advance",
+    "predict": "immersedBodies::predict",
+    "end of step": "immersedBodies::endStep",
+    "contact": "immersedBodies::contact",
+    "momentum": "momentumPredictor", "pressure": "pressureCorrector",
+}
+
+
+def bed(folder, name, number, kernel):
+    """Grains of 1 mm and 1200 kg/m3 on a jittered lattice in air, that is close
+    to fluidising them, in a periodic column of cells of twice their width."""
+    pitch = (np.pi/6/PHI)**(1/3)*DIAMETER
+    across = max(3, round((number**(1/3)*pitch/CELL)/1.5))
+    n = max(1, int(across*CELL/pitch))
+    pitch_x = across*CELL/n
+    layers = -(-number//n**2)
+    pitch_z = np.pi/6*DIAMETER**3/PHI/pitch_x**2
+    height = int(np.ceil(layers*pitch_z/CELL)) + 8
+    case = column(folder, name, across, height, CELL, SPEED, 1.5e-5, False)
+    x = (np.arange(n) + 0.5)*pitch_x
+    z = (np.arange(layers) + 0.5)*pitch_z + 4*CELL
+    places = np.array([(i, j, k) for k in z for j in x for i in x])[:number]
+    room = np.array([pitch_x, pitch_x, pitch_z]) - DIAMETER
+    places += np.random.default_rng(1).uniform(-0.45, 0.45, places.shape)*room
+    write_positions(case, places)
+    case.bodies(
+        grains(DIAMETER/2, 1000, "free"),
+        "contact { type softSphere; }"
+        f" coupling {{ {COUPLING.format(drag='Gidaspow')}"
+        f" kernel {{ {KERNELS[kernel]} }} }}",
+    )
+    case.gravity(0, 0, -9.81)
+    end = f"{(WARM + STEPS)*STEP:.9g}"
+    case.controls(deltaT=STEP, endTime=end, writeInterval=end)
+    # Tables of all grains in each step are not what is timed
+    path = case.path/"system/controlDict"
+    path.write_text(
+        path.read_text().split("functions\n{", 1)[0]
+        + "profiling { active true; }\n"
+    )
+    return case, across**2*height
+
+
+def steps(log):
+    """Seconds of the processor, of the first rank, of the steps after WARM."""
+    return np.diff([
+        float(t) for t in re.findall(r"ExecutionTime = (\S+) s", log)
+    ])[WARM - 1:]
+
+
+def parts(case, ranks):
+    """Seconds of a step, by part; of the first rank."""
+    place = "processor0" if ranks > 1 else "."
+    text = (
+        case.path/place/case.latest_time(place)/"uniform/profiling"
+    ).read_text()
+    found = {}
+    for block in text.split("description")[1:]:
+        name = block.split('"')[1] if '"' in block else block.split()[0]
+        total = re.search(r"totalTime\s+(\S+);", block)
+        if total:
+            found[name] = float(total.group(1))/(WARM + STEPS)
+    return found
+
+
+def rows(folder, quick):
+    for number in QUICK_NUMBERS if quick else NUMBERS:
+        for kernel in KERNELS:
+            for ranks in (1, 2):
+                case, cells = bed(
+                    folder, f"{number}_{kernel}_{ranks}", number, kernel
+                )
+                if ranks > 1:
+                    case.decompose(ranks, (1, 1, ranks))
+                log = case.run("foamRun", ranks=ranks)
+                seconds = np.median(steps(log))
+                result = Result(
+                    f"{number} grains, kernel of {kernel} cells, {ranks}"
+                    f" rank{'s'*(ranks > 1)}",
+                    DIAMETER/CELL, cells, WARM + STEPS, solver="foamRun",
+                )
+                yield result.row("ms per step", 1e3*seconds)
+                yield result.row(
+                    "us per grain and step", 1e6*seconds/number
+                )
+                times = parts(case, ranks)
+                for part, name in PARTS.items():
+                    yield result.row(f"{part} ms", 1e3*times[name])
