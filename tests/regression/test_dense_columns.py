@@ -2,6 +2,8 @@
 """Beds of grains whose volume is part of the equations of the fluid, in columns
 that the fluid enters from below."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -74,3 +76,52 @@ def test_a_bed_of_free_grains_is_fluidised(tmp_path):
     assert np.ptp(rise[end])/weight < 0.02
     assert (law/rise)[-1] > 1.05
     assert lift[-1] > lift[rest].max() + 0.03
+
+
+def case_has_values(case, time):
+    """Is the void fraction not uniform, as without grains."""
+    text = (case.path/time/"voidFraction").read_text()
+    return "internalField   nonuniform" in text
+
+
+def test_grains_that_enter_and_leave_take_their_volume_along(tmp_path):
+    """The void fraction is that of the grains there are, and the flow keeps
+    volume, in the steps in which they come and go as well."""
+    h = 2e-3
+    radius = 0.45e-3
+    case = column(tmp_path, "lift", 3, 16, h, 8, 1.5e-5)
+    case.bodies("", f"""
+        coupling {{ {COUPLING.format(drag="Gidaspow")} }}
+        leaving {{ outlet {{ type remove; }} }}
+        injection
+        {{
+            one
+            {{
+                shape {{ type sphere; radius {radius}; }}
+                densityRatio 10;
+                position (0.0031 0.0029 0.012);
+                velocity (0 0 4);
+                times (0.0005 0.0015 0.0025 0.0035);
+            }}
+        }}
+    """)
+    case.controls(
+        endTime=0.012, deltaT=1e-4, writeControl="timeStep", writeInterval=1,
+        writeFormat="ascii", writePrecision=16,
+    )
+    log = case.solve()
+    errors, counts = (
+        [float(n) for n in re.findall(text, log)]
+        for text in (r"sum local = (\S+),", r", bodies (\d+)")
+    )
+    assert max(errors) < 1e-14
+    assert max(counts) >= 3 and counts[-1] == 0
+
+    volumes = np.array([
+        (1 - case.field("voidFraction", time)).sum()*h**3
+        for time in case.times()[1:-1] if case_has_values(case, time)
+    ])
+    of_one = 4/3*np.pi*radius**3
+    found = volumes/of_one
+    assert found == pytest.approx(np.round(found), abs=1e-9)
+    assert found.max() == pytest.approx(max(counts), abs=1e-9)
