@@ -10,7 +10,8 @@ from scipy.optimize import brentq
 import refusals
 from bodyCase import BodyCase
 from denseBox import (
-    MOVING, bed, drag_force, ergun, gidaspow, lone_grain, moving_box, suspension,
+    MOVING, bed, drag_force, ergun, gidaspow, lone_grain, moving_box,
+    suspension,
 )
 from periodicBox import superficial_speed
 from unresolvedBox import tenneti, velocities

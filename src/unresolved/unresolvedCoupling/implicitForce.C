@@ -68,20 +68,3 @@ Foam::grainForce Foam::unresolvedMotion::implicitForce
 
     return force;
 }
-
-
-Foam::bodyLoad Foam::unresolvedMotion::load
-(
-    const immersedBody& body,
-    const ddtCoefficients& ddt,
-    const vector& F
-) const
-{
-    bodyLoad load;
-
-    load.force = body.ddtMomentum(ddt).linear - F;
-    load.a = V_*ddt.c;
-    addTorque(body, ddt, load);
-
-    return load;
-}

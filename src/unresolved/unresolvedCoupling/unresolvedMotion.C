@@ -197,24 +197,6 @@ Foam::vector Foam::unresolvedMotion::shapeLift(const vector& W) const
 }
 
 
-void Foam::unresolvedMotion::setTorque(const vector& W, const tensor& grad)
-{
-    const scalar nu = fluid_.nu();
-    const scalar sphere = pi*nu*pow3(D_);
-    const vector t(shape_.turning());
-    const symmTensor E(symm(R_.T() & grad & R_));
-
-    turning_ =
-        sphere*(R_ & tensor(t.x(), 0, 0, 0, t.y(), 0, 0, 0, t.z()) & R_.T());
-    torque_ =
-        R_
-      & (
-            sphere*shape_.straining(E)
-          + shape_.pitching(R_.T() & W, D_, nu)
-        );
-}
-
-
 Foam::scalar Foam::unresolvedMotion::disturbance(const scalar s) const
 {
     const scalar nu = fluid_.nuEff();
@@ -286,47 +268,4 @@ Foam::scalar Foam::unresolvedMotion::solveSlip
     }
 
     return s;
-}
-
-
-Foam::bodyLoad Foam::unresolvedMotion::load
-(
-    const immersedBody& body,
-    const ddtCoefficients& ddt
-) const
-{
-    const rigidMomentum rate(body.ddtMomentum(ddt));
-    const scalar implicit = 1/(1 + response_*b_);
-    bodyLoad load;
-
-    load.force = implicit
-       *(
-            1.5*(rate.linear - V_*DuDt_)
-          - lift_
-          - b_*(u_ - response_*oldLoad_ - body.state().U)
-        );
-    load.a = implicit*(1.5*V_*ddt.c + b_);
-    addTorque(body, ddt, load);
-
-    return load;
-}
-
-
-void Foam::unresolvedMotion::addTorque
-(
-    const immersedBody& body,
-    const ddtCoefficients& ddt,
-    bodyLoad& load
-) const
-{
-    const bodyState& state = body.state();
-    const tensor I(body.inertia(state));
-
-    load.torque =
-        body.ddtMomentum(ddt).angular - torque_
-      - (turning_ & (spin_ - state.omega));
-    load.aRowCol =
-        ddt.c*(0.5*tr(I)*tensor::I - I)
-      + 0.5*tr(turning_)*tensor::I - turning_;
-    load.volume = V_;
 }
