@@ -5,6 +5,32 @@
 #include "compat.H"
 #include "unresolvedMotion.H"
 
+namespace
+{
+
+//- Spread the reaction to the force on a grain with its kernel, see linearise()
+void spread
+(
+    const Foam::bodyKernel& kernel,
+    const Foam::grainForce& F,
+    Foam::scalarField& drag,
+    Foam::scalarField& part,
+    Foam::vectorField& force
+)
+{
+    forAll(kernel.cells, i)
+    {
+        const Foam::label celli = kernel.cells[i];
+
+        drag[celli] += kernel.weight[i]*F.k;
+        part[celli] -= kernel.weight[i]*F.v;
+        force[celli] -= kernel.weight[i]*(F.f - F.k*kernel.imageU[i]);
+    }
+}
+
+} // End anonymous namespace
+
+
 void Foam::unresolvedCoupling::checkDense(const dictionary& coupling) const
 {
     if (type_ != "unresolved")
@@ -126,7 +152,6 @@ void Foam::unresolvedCoupling::linearise
     forAll(bodies, bodyi)
     {
         const grain& one = grains_[bodyi];
-        const bodyKernel& kernel = one.kernel;
 
         if (!one.inside)
         {
@@ -158,14 +183,7 @@ void Foam::unresolvedCoupling::linearise
         );
 
         forces_[bodyi] = f;
-        forAll(kernel.cells, i)
-        {
-            const label celli = kernel.cells[i];
-
-            drag[celli] += kernel.weight[i]*f.k;
-            part[celli] -= kernel.weight[i]*f.v;
-            force[celli] -= kernel.weight[i]*(f.f - f.k*kernel.imageU[i]);
-        }
+        spread(one.kernel, f, drag, part, force);
     }
 }
 
