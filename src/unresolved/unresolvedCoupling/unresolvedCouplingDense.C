@@ -116,20 +116,14 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 }
 
 
-void Foam::unresolvedCoupling::linearise
+void Foam::unresolvedCoupling::setMotions
 (
     PtrList<immersedBody>& bodies,
     const ddtCoefficients& ddt,
     const vector& g,
-    const carrierFlow& flow,
-    const vectorField& a,
-    scalarField& drag,
-    scalarField& part,
-    vectorField& force
+    const vectorField& a
 )
 {
-    samples_ = sample(bodies, ddt, flow);
-
     const vectorField pressure
     (
         kernelMeans
@@ -147,13 +141,10 @@ void Foam::unresolvedCoupling::linearise
     dense.maxFraction = 1 - minVoid_;
     motions_.clear();
     motions_.resize(bodies.size());
-    forces_ = List<grainForce>(bodies.size());
 
     forAll(bodies, bodyi)
     {
-        const grain& one = grains_[bodyi];
-
-        if (!one.inside)
+        if (!grains_[bodyi].inside)
         {
             continue;
         }
@@ -167,7 +158,7 @@ void Foam::unresolvedCoupling::linearise
                 drag_(),
                 samples_[bodyi],
                 bodies[bodyi],
-                *one.shape,
+                *grains_[bodyi].shape,
                 ddt,
                 g,
                 vector::zero,
@@ -176,14 +167,35 @@ void Foam::unresolvedCoupling::linearise
                 dense
             )
         );
+    }
+}
 
-        const grainForce f
-        (
-            motions_[bodyi].implicitForce(bodies[bodyi], ddt, g)
-        );
 
-        forces_[bodyi] = f;
-        spread(one.kernel, f, drag, part, force);
+void Foam::unresolvedCoupling::linearise
+(
+    PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt,
+    const vector& g,
+    const carrierFlow& flow,
+    const vectorField& a,
+    scalarField& drag,
+    scalarField& part,
+    vectorField& force
+)
+{
+    samples_ = sample(bodies, ddt, flow);
+    setMotions(bodies, ddt, g, a);
+    forces_ = List<grainForce>(bodies.size());
+
+    forAll(bodies, bodyi)
+    {
+        if (motions_.set(bodyi))
+        {
+            grainForce& F = forces_[bodyi];
+
+            F = motions_[bodyi].implicitForce(bodies[bodyi], ddt, g);
+            spread(grains_[bodyi].kernel, F, drag, part, force);
+        }
     }
 }
 
