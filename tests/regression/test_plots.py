@@ -117,6 +117,11 @@ def stress_tables(case):
     parts = [f"{part}_xy[m2/s2]" for part in suspensionPlots.PARTS]
     layers = ["position[m]", "bodyFraction", "UFluid_x[m/s]", "UFluid_y[m/s]",
               "UFluid_z[m/s]", "UBodies_x[m/s]"]
+    closure = ["drag[1/s]", "errorOf_drag[1/s]", "addedMass[-]",
+               "errorOf_addedMass[-]"]
+    closure += [f"{name}_{i}[m/s]" for i in "xyz"
+                for name in ("interaction", "slip", "slipAcceleration")]
+    closure += ["bodyFraction"]
     for path, names, rows in (
         ("stress/0/suspensionStress", [*columns, *parts],
          [[1, 0.6, 2, 3, 0.5, 0.1, 0, 0, 0, 0],
@@ -126,6 +131,11 @@ def stress_tables(case):
          [[1, 0.6, "nan"], [2, 0.65, 0.05]]),
         ("averages/0/bodyAverages", layers,
          [[2, -0.5, 0.1, -1, 0, 0, -0.9], [2, 0.5, 0, 1, 0, 0, "nan"]]),
+        ("fit/0/closureFit", ["layer", *closure],
+         [[time, layer, *values] for time, values in (
+             (1, ["nan"]*13 + [0.2]),
+             (2, [5, 0.1, 0.5, "nan", 2, 3, 4, 1, 1, 0, 1, 2, 0, 0.2]),
+          ) for layer in (0, 1)]),
     ):
         file = case/f"postProcessing/{path}.dat"
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -141,10 +151,20 @@ def test_parts_of_the_stress_that_are_zero_are_left_out(tmp_path, drawn):
     assert labels == ["fluid", "particle", "contact"]
 
 
+def test_the_fit_is_the_sum_of_drag_and_added_mass(tmp_path, drawn):
+    stress_tables(tmp_path)
+    suspensionPlots.closure(tmp_path, None, "fit")
+    lines = {line.get_label(): line.get_ydata()[-1]
+             for line in drawn[0].axes[2].lines}
+    assert lines == pytest.approx(
+        {"force": 2, "drag": 5*3, "added mass": 0.5*0.2*4, "fit": 15.4})
+
+
 def test_pictures_of_a_suspension(tmp_path):
     stress_tables(tmp_path)
-    suspensionPlots.drawAll(tmp_path, "stress", "averages")
+    suspensionPlots.drawAll(tmp_path, "stress", "averages", "fit")
     assert {file.stem for file in (tmp_path/"plots").iterdir()} == {
         f"suspension{name}"
-        for name in ("Viscosity", "Parts", "Contacts", "Profiles")
+        for name in (
+            "Viscosity", "Parts", "Contacts", "Profiles", "Closure")
     }

@@ -45,5 +45,21 @@ AVERAGES = {
             "bodyAverages", "kernel { width 2; }",
             ["'width' in 'kernel'", "radius"],
         ),
+        "keyword of the closure": (
+            "closureFit", "layer 10;",
+            ["'layer' in 'averages'", "nearest valid one is 'layers'"],
+        ),
+        "less than no layers": (
+            "closureFit", "layers -1;",
+            ["'layers' not less than 0"],
+        ),
+        "no direction of the slip": (
+            "closureFit", "flow (0 0 0);",
+            ["'flow' in 'averages' must not be zero"],
+        ),
+        "time steps left out": (
+            "closureFit", "executeInterval 2;",
+            ["'executeInterval' in 'averages' must be 'timeStep' and 1"],
+        ),
     }.items()
 }

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws what the function objects suspensionStress and bodyAverages write.
+"""Draws what the function objects suspensionStress, bodyAverages and closureFit
+write.
 
-    suspensionPlots.py CASE [STRESS [AVERAGES]]     # CASE/plots/suspension*.png
+    suspensionPlots.py CASE [STRESS [AVERAGES [CLOSURE]]]
+                                            # CASE/plots/suspension*.png
 
-or, from a script, drawAll(case), or any of the functions below. STRESS and
-AVERAGES are their names in system/controlDict, by default those of their types.
+or, from a script, drawAll(case), or any of the functions below. STRESS,
+AVERAGES and CLOSURE are their names in system/controlDict, by default those of
+their types.
 Needs numpy and matplotlib.
 """
 
@@ -83,7 +86,39 @@ def profiles(case, file, functionObject="bodyAverages"):
     gp.save(figure, file)
 
 
-def drawAll(case, stress="suspensionStress", averages="bodyAverages"):
+def closure(case, file, functionObject="closureFit"):
+    """Of the whole mesh: coefficients over time, with two standard errors; the
+    force that is fitted, its two parts and their sum."""
+    rows = read(case, functionObject, "closureFit")
+    rows = {name: values[rows["layer"] == 0] for name, values in rows.items()}
+    time, phi = rows["time"], rows["bodyFraction"]
+    figure, axes = plt.subplots(3, 1, sharex=True, figsize=(6.5, 7))
+    for ax, name, label in zip(
+        axes, ("drag", "addedMass"), ("drag [1/s]", "added mass")
+    ):
+        value, error = rows[name], rows[f"errorOf_{name}"]
+        ax.plot(time, value)
+        ax.fill_between(time, value - 2*error, value + 2*error, alpha=0.25,
+                        linewidth=0)
+        ax.set(ylabel=label)
+    flow = max(
+        "xyz", key=lambda i: np.nanmax(np.abs(rows[f"interaction_{i}"])))
+    drag = rows["drag"][-1]*rows[f"slip_{flow}"]
+    inertia = rows["addedMass"][-1]*phi*rows[f"slipAcceleration_{flow}"]
+    ax = axes[2]
+    ax.plot(time, rows[f"interaction_{flow}"], color="0.5", linewidth=3,
+            label="force")
+    ax.plot(time, drag + inertia, color="k", linewidth=1, linestyle="--",
+            label="fit")
+    ax.plot(time, drag, label="drag")
+    ax.plot(time, inertia, label="added mass")
+    ax.set(xlabel="time [s]", ylabel=f"force {flow} [m/s$^2$]")
+    ax.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    gp.save(figure, file)
+
+
+def drawAll(case, stress="suspensionStress", averages="bodyAverages",
+            fit="closureFit"):
     """All pictures that there are tables for."""
     plots = pathlib.Path(case)/"plots"
     results = pathlib.Path(case)/"postProcessing"
@@ -93,9 +128,11 @@ def drawAll(case, stress="suspensionStress", averages="bodyAverages"):
         contacts(case, plots/"suspensionContacts.png", stress)
     if (results/averages).is_dir():
         profiles(case, plots/"suspensionProfiles.png", averages)
+    if (results/fit).is_dir():
+        closure(case, plots/"suspensionClosure.png", fit)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3, 4) or sys.argv[1].startswith("-"):
+    if len(sys.argv) not in (2, 3, 4, 5) or sys.argv[1].startswith("-"):
         sys.exit(__doc__)
     drawAll(*sys.argv[1:])

@@ -112,10 +112,13 @@ Foam::vector Foam::fv::flowRateForce::correctFlux
     surfaceScalarField& phi
 )
 {
-    const scalar wanted = meanVelocity_->value(mesh_.time().value());
+    const scalar now = mesh_.time().value();
+    const scalar wanted = meanVelocity_->value(now);
+    const scalar before =
+        meanVelocity_->value(now - mesh_.time().deltaTValue());
+    const scalar scale = max(mag(wanted), mag(wanted - before));
     const scalar du = wanted - mean(phi);
-    const scalar friction =
-        mag(wanted) > VSMALL ? 0.5*mag(g_)/mag(wanted) : 0;
+    const scalar friction = scale > VSMALL ? 0.5*mag(g_)/scale : 0;
     const vector dU(du*direction_);
 
     phi.primitiveFieldRef() += dU & mesh_.Sf().primitiveField();

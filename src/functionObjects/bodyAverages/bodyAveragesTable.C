@@ -1,41 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyAverages.H"
-#include "compat.H"
+#include "meshLayers.H"
 #include <cmath>
-
-Foam::List<Foam::scalarField> Foam::functionObjects::bodyAverages::layers
-(
-    const scalarField& means,
-    const scalar low,
-    const scalar thickness
-) const
-{
-    const label n = phaseSources::nColumns;
-    const scalarField height(mesh_.cellCentres() & direction_);
-    List<scalarField> sums(nLayers_, scalarField(n + 1, Zero));
-
-    forAll(height, celli)
-    {
-        const label layeri = label((height[celli] - low)/thickness);
-        scalarField& sum = sums[min(max(layeri, label(0)), nLayers_ - 1)];
-        const scalar V = mesh_.V()[celli];
-
-        sum[0] += V;
-        for (label k = 0; k < n; ++k)
-        {
-            sum[k + 1] += V*means[n*celli + k];
-        }
-    }
-
-    for (scalarField& sum : sums)
-    {
-        compat::allReduce(sum, plusEqOp<scalar>());
-    }
-
-    return sums;
-}
-
 
 void Foam::functionObjects::bodyAverages::writeTableHeader(Ostream& os)
 {
@@ -70,10 +37,8 @@ void Foam::functionObjects::bodyAverages::writeTable(const scalarField& means)
 {
     typedef phaseSources source;
 
-    const scalarField corners(mesh_.points() & direction_);
-    const scalar low = gMin(corners);
-    const scalar thickness = (gMax(corners) - low)/nLayers_;
-    const List<scalarField> sums(layers(means, low, thickness));
+    const meshLayers layers(mesh_, direction_, nLayers_);
+    const List<scalarField> sums(layers.sums(means, source::nColumns));
 
     if (!writeToFile())
     {
@@ -102,7 +67,7 @@ void Foam::functionObjects::bodyAverages::writeTable(const scalarField& means)
         };
 
         writeCurrentTime(os);
-        os  << tab << low + (layeri + 0.5)*thickness;
+        os  << tab << layers.position(layeri);
         write(source::fluid, 1, volume);
         write(source::bodies, 1, volume);
         write(source::p, 1, of[source::fluid]);
