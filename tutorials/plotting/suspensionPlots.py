@@ -96,7 +96,9 @@ def closure(case, file, functionObject="closureFit"):
     for ax, name, label in zip(
         axes, ("drag", "addedMass"), ("drag [1/s]", "added mass")
     ):
-        value, error = rows[name], rows[f"errorOf_{name}"]
+        error = rows[f"errorOf_{name}"]
+        # The first few samples tell nothing
+        value = np.where(np.isnan(error), np.nan, rows[name])
         ax.plot(time, value)
         ax.fill_between(time, value - 2*error, value + 2*error, alpha=0.25,
                         linewidth=0)
