@@ -21,9 +21,12 @@ from friction import periodicFriction
 
 
 class BenchCase(FoamCase):
-    """cells: number of cells."""
+    """cells: number of cells. mesher: gmshMesh for a mesh by gmsh, of which
+    changes may be options."""
 
-    def __init__(self, piece, tmp_path, changes=(), name=None):
+    def __init__(
+        self, piece, tmp_path, changes=(), name=None, mesher="makeMesh"
+    ):
         tmp_path = Path(tmp_path)
         super().__init__(BENCH/piece, tmp_path, name)
         # What a run of the tutorial has left
@@ -34,11 +37,12 @@ class BenchCase(FoamCase):
         shutil.copytree(BENCH/"common/0.orig", self.path/"0")
         for file in self.path.glob("0.orig/*"):
             shutil.copy(file, self.path/"0")
-        self.make_mesh(piece, changes)
+        self.make_mesh(piece, changes, mesher)
 
-    def make_mesh(self, piece, changes):
+    def make_mesh(self, piece, changes, mesher):
+        script = BENCH/f"common/{mesher}.py"
         done = subprocess.run(
-            [sys.executable, str(BENCH/"common/makeMesh.py"), piece, *changes],
+            [sys.executable, str(script), piece, *map(str, changes)],
             cwd=self.path, text=True, check=True, stdout=subprocess.PIPE,
         )
         self.cells = int(re.search(r"(\d+) cells", done.stdout)[1])

@@ -53,6 +53,16 @@ def writeValues(bench, flow):
     pathlib.Path("constant/benchValues").write_text("\n".join(lines) + "\n")
 
 
+def writeCase(bench, flow, changes):
+    """All that a case needs besides its mesh; changes: of bench.ini."""
+    writeValues(bench, flow)
+    pathlib.Path("constant/benchChanges").write_text(
+        "\n".join(changes) + "\n")
+    pathlib.Path("system").mkdir(exist_ok=True)
+    pathlib.Path("system/benchFunctionObjects").write_text(
+        functionObjects(flow))
+
+
 def main():
     if len(sys.argv) < 2:
         raise SystemExit(__doc__)
@@ -64,12 +74,7 @@ def main():
     except ValueError as error:
         raise SystemExit(f"makeMesh: {error}") from None
     count = mesh.write(f"{piece}.msh")
-    writeValues(bench, flow)
-    pathlib.Path("constant/benchChanges").write_text(
-        "\n".join(sys.argv[2:]) + "\n")
-    pathlib.Path("system").mkdir(exist_ok=True)
-    pathlib.Path("system/benchFunctionObjects").write_text(
-        functionObjects(flow))
+    writeCase(bench, flow, sys.argv[2:])
     print(f"Wrote {piece}.msh: {count} cells")
 
 

@@ -151,40 +151,38 @@ def bendSampling(tube, path, size):
             "distances": {"before": before, "after": after}}
 
 
-def headWithTubes(bench, addTube):
-    """Feed pipe, head, and a tube at each outlet; addTube(path) adds its legs
-    but the first, short one. The blocked one ends in a wall."""
+def headShape(bench):
+    """The head, with what has to fit checked."""
     pipe, head, tubes = bench["feedPipe"], bench["head"], bench["outletTubes"]
     if head["blocked"] > head["outlets"]:
         raise ValueError(f"head.blocked: {head['blocked']} is none of the "
                          f"{head['outlets']} outlets")
     section = tubeSection(bench)
-    size = tubes["diameter"]/section.n
-    shape = Head(pipe["diameter"]/2, head["diameter"]/2, head["height"],
-                 head["outlets"], tubes["diameter"]/2, head["outletHeight"],
-                 section, size)
+    return Head(pipe["diameter"]/2, head["diameter"]/2, head["height"],
+                head["outlets"], tubes["diameter"]/2, head["outletHeight"],
+                section, tubes["diameter"]/section.n)
 
-    mesh = HexMesh()
-    places = addHead(mesh, shape, pipe["length"], 2*bench["mesh"]["wallLayer"],
-                     cells(pipe["length"], 3*size))
-    for number, first in enumerate(places):
-        angle = number*shape.pitch
-        out = np.array([math.cos(angle), math.sin(angle), 0])
-        path = Path(shape.radius*out + (0, 0, head["outletHeight"]), out,
-                    (-out[1], out[0], 0))
-        path.line(tubes["diameter"], 4)
-        addTube(path)
-        _, last = sweep(mesh, section, tubes["diameter"]/2, path, first)
-        if number + 1 != head["blocked"]:
-            mesh.addPatch(f"outlet{number + 1}", last)
 
-    axis = np.array([0, 0, head["outletHeight"]])
+def outletFrame(bench, number):
+    """Place of an outlet (from 0) on the wall of the head, direction of its
+    tube, and a direction across."""
+    head = bench["head"]
+    angle = 2*math.pi*number/head["outlets"]
+    out = np.array([math.cos(angle), math.sin(angle), 0])
+    return (0.5*head["diameter"]*out + (0, 0, head["outletHeight"]), out,
+            (-out[1], out[0], 0))
+
+
+def headFlow(bench, outlets):
+    """Flow of a piece with a head; outlets: names of the open ones."""
+    pipe = bench["feedPipe"]
+    axis = np.array([0, 0, bench["head"]["outletHeight"]])
     # Planes through nodes would miss cells
     beside = axis + (0, 1e-4, 1e-4)
-    return mesh, {
+    return {
         "meanVelocity": bench["air"]["feedVelocity"],
         "diameter": pipe["diameter"],
-        "outlets": [name for name in mesh.patches if name != "fanInlet"],
+        "outlets": outlets,
         "planes": [("vertical", beside, (0, 1, 0), 10),
                    ("horizontal", beside, (0, 0, 1), 10)],
         "stations": [("feedPipe", (0, 0, -0.5*pipe["length"]), (0, 0, 1),
@@ -192,15 +190,36 @@ def headWithTubes(bench, addTube):
     }
 
 
-def distributionHead(bench):
-    tubes = bench["outletTubes"]
+def headWithTubes(bench, addTube):
+    """Feed pipe, head, and a tube at each outlet; addTube(path) adds its legs
+    but the first, short one. The blocked one ends in a wall."""
+    pipe, head, tubes = bench["feedPipe"], bench["head"], bench["outletTubes"]
+    shape = headShape(bench)
+
+    mesh = HexMesh()
+    places = addHead(mesh, shape, pipe["length"], 2*bench["mesh"]["wallLayer"],
+                     cells(pipe["length"], 3*shape.h))
+    for number, first in enumerate(places):
+        path = Path(*outletFrame(bench, number))
+        path.line(tubes["diameter"], 4)
+        addTube(path)
+        _, last = sweep(mesh, shape.section, tubes["diameter"]/2, path, first)
+        if number + 1 != head["blocked"]:
+            mesh.addPatch(f"outlet{number + 1}", last)
+
+    return mesh, headFlow(
+        bench, [name for name in mesh.patches if name != "fanInlet"])
+
+
+def shortTubes(bench):
+    """What adds the legs of an outlet tube to a path: one, straight."""
     size = cellLength(bench, "outletTubes", "along")
-    length = tubes["shortLength"]
-    return headWithTubes(
-        bench, lambda path: path.line(length, cells(length, size)))
+    length = bench["outletTubes"]["shortLength"]
+    return lambda path: path.line(length, cells(length, size))
 
 
-def wholeBench(bench):
+def longTubes(bench):
+    """The same for whole tubes, with bends if wanted."""
     tubes = bench["outletTubes"]
     size = cellLength(bench, "outletTubes", "alongOutletTubes")
 
@@ -212,7 +231,19 @@ def wholeBench(bench):
             if tubes["endLength"]:
                 path.line(tubes["endLength"], cells(tubes["endLength"], size))
 
-    return headWithTubes(bench, addTube)
+    return addTube
+
+
+# Pieces with a head, by what their outlet tubes are
+HEADS = {"distributionHead": shortTubes, "wholeBench": longTubes}
+
+
+def distributionHead(bench):
+    return headWithTubes(bench, shortTubes(bench))
+
+
+def wholeBench(bench):
+    return headWithTubes(bench, longTubes(bench))
 
 
 PIECES = {f.__name__: f for f in (
