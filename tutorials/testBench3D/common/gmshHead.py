@@ -144,17 +144,21 @@ def places(bench):
     return found
 
 
+def unite(volumes):
+    """Make one volume of several."""
+    if len(volumes) > 1:
+        gmsh.model.occ.fuse(volumes[:1], volumes[1:])
+
+
 def readStep(file, openings):
     """Any head: the volumes of a STEP file, and its plane faces at the given
     places; {name of patch: faces}. ValueError if there is none."""
     occ = gmsh.model.occ
-    gmsh.option.setString("Geometry.OCCTargetUnit", "M")
     volumes = [v for v in occ.importShapes(str(file)) if v[0] == 3]
     if not volumes:
         raise ValueError(f"{file} has no volume: the air in the head is wanted,"
                          " as a solid")
-    if len(volumes) > 1:
-        occ.fuse(volumes[:1], volumes[1:])
+    unite(volumes)
     occ.synchronize()
     plane = [face for face in occ.getEntities(2)
              if gmsh.model.getType(*face) == "Plane"]

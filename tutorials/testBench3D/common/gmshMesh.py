@@ -66,9 +66,8 @@ def options(arguments):
 
 
 def writeStep(file):
-    """In millimetres, which is what gmsh takes numbers for."""
     occ = gmsh.model.occ
-    occ.dilate(occ.getEntities(3), 0, 0, 0, 1000, 1000, 1000)
+    gmshHead.unite(occ.getEntities(3))
     occ.synchronize()
     gmsh.write(str(file))
     print(f"Wrote {file}")
@@ -104,6 +103,8 @@ def main():
             " apt-get install python3-gmsh; makeMesh.py does without")
     gmsh.initialize()
     gmsh.option.setNumber("General.Verbosity", 2)
+    # Of lengths in the model; STEP files have a unit of their own
+    gmsh.option.setString("Geometry.OCCTargetUnit", "M")
     try:
         make(piece, files, changes)
     except ValueError as error:
