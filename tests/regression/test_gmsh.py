@@ -3,6 +3,7 @@
 
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 
@@ -131,6 +132,27 @@ def test_openings_that_are_not_there_are_refused(step, tmp_path):
     assert "no plane face has its centre at that of outlet1" in text
     assert "\n  0.165 " in text
     assert not list(tmp_path.iterdir())
+
+
+@needs_gmsh
+def test_command_refuses_wrong_arguments_before_it_removes_results(tmp_path):
+    bench = tmp_path/"bench"
+    shutil.copytree(BENCH, bench)
+    old = bench/"gmshHead.gmsh"
+    old.mkdir(exist_ok=True)
+    for arguments, message in (
+        (["head.outlet=4"], "did you mean outlets?"),
+        (["head.outlets=40"], "do not fit"),
+        (["-step", "none.step"], "there is no file"),
+        (["-faces"], "there is no file"),
+        (["-stp", "head.step"], "-parallel or SECTION.NAME=VALUE is wanted"),
+    ):
+        done = subprocess.run(
+            [bench/"gmshHead/Allrun", *arguments], text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        assert done.returncode != 0
+        assert message in done.stdout
+        assert old.exists()
 
 
 @pytest.mark.parametrize("arguments, message", [

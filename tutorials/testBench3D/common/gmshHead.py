@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from pieces import HEADS, cells, headShape, outletFrame
+from pieces import HEADS, cells, outletFrame
 from tubes import Path
 
 try:
@@ -113,7 +113,6 @@ def addCore(bench):
 
 def addHead(bench, piece):
     """The head of bench.ini: {name of patch: faces}."""
-    headShape(bench)
     faces = addCore(bench)
     addTube, pipe = HEADS[piece](bench), bench["feedPipe"]
     size = bench["outletTubes"]["diameter"]/bench["gmsh"]["across"]

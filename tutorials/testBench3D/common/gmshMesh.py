@@ -4,6 +4,7 @@ tetrahedra and prisms, of the head of bench.ini or of any other.
 
     gmshMesh.py PIECE [-step FILE [-faces FILE]] [SECTION.NAME=VALUE ...]
     gmshMesh.py PIECE -writeStep FILE [SECTION.NAME=VALUE ...]
+    gmshMesh.py PIECE -check [...]
 
 in the folder of a case; PIECE: distributionHead or wholeBench. Writes what
 makeMesh.py writes. Needs gmsh and its module for python.
@@ -13,6 +14,7 @@ makeMesh.py writes. Needs gmsh and its module for python.
                 ..., the middles of plane faces [m]; without it those of
                 distributionHead
 -writeStep FILE write the head of bench.ini as a STEP file, and nothing else
+-check          only read arguments and parameters
 """
 
 import pathlib
@@ -24,7 +26,7 @@ import gmshHead
 from benchParameters import BenchError, known, readBench
 from gmshHead import gmsh
 from makeMesh import writeCase
-from pieces import HEADS, headFlow
+from pieces import HEADS, headFlow, headShape
 
 
 def readFaces(file):
@@ -54,7 +56,10 @@ def options(arguments):
         if not word.startswith("-"):
             changes.append(word)
             continue
-        known("option", word, ["-step", "-faces", "-writeStep"])
+        known("option", word, ["-step", "-faces", "-writeStep", "-check"])
+        if word == "-check":
+            files[word] = None
+            continue
         if not words:
             raise BenchError(f"{word}: a file is wanted")
         files[word] = words.pop(0)
@@ -75,9 +80,13 @@ def writeStep(file):
 
 def make(piece, files, changes):
     bench = readBench(changes)
+    headShape(bench)
     if "-step" in files:
         openings = readFaces(files["-faces"]) if "-faces" in files \
             else gmshHead.places(bench)
+    if "-check" in files:
+        return
+    if "-step" in files:
         patches = gmshHead.readStep(files["-step"], openings)
     else:
         patches = gmshHead.addHead(bench, piece)
