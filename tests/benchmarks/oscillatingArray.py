@@ -11,6 +11,7 @@ of drag and added mass (closureFit).
 
 import math
 
+import periodicTube
 import potentialFlow
 from foamCase import tables
 from measure import LOCKED, set_direct, set_stokes, set_viscosity
@@ -20,40 +21,13 @@ from periodicBox import FLOW_RATE, periodic_case
 SPEED, NU = 0.01, 1
 PERIODS, FIRST = 3, 2
 
-DRIVE = """FoamFile
-{{
-    version     2.0;
-    format      ascii;
-    class       dictionary;
-    object      fvOptions;
-}}
-
-drive
-{{
-    type            flowRateForce;
-    direction       (1 0 0);
-    meanVelocity
+SINE = """
     {{
         type        sine;
         amplitude   {speed:.15g};
         frequency   {frequency:.15g};
-        scale       1;
-        level       0;
-    }}
-}}
-"""
-MOTION = """
-    motion
-    {{
-        type        prescribed;
-        velocity
-        {{
-            type        sine;
-            amplitude   {speed:.15g};
-            frequency   {frequency:.15g};
-            scale       (1 0 0);
-            level       (0 0 0);
-        }}
+        scale       {direction};
+        level       {zero};
     }}
 """
 FIT = """
@@ -93,15 +67,20 @@ class Array:
         wave = dict(speed=SPEED, frequency=1/self.period)
         options = case.path/"constant/fvOptions"
         if moves == "fluid":
-            options.write_text(DRIVE.format(**wave))
+            sine = SINE.format(**wave, direction=1, zero=0)
+            options.write_text(periodicTube.FLOW_RATE.format(speed=1).replace(
+                "meanVelocity    1;", f"meanVelocity{sine}"))
+            motion = LOCKED
         else:
+            sine = SINE.format(**wave, direction="(1 0 0)", zero="(0 0 0)")
             options.unlink()
+            motion = f"motion {{ type prescribed; velocity{sine} }}"
         case.bodies(f"""
             sphere
             {{
                 shape {{ type sphere; radius {0.5*self.diameter:.15g}; }}
                 position (0.02 0.03 0.01);
-                {LOCKED if moves == "fluid" else MOTION.format(**wave)}
+                {motion}
             }}
         """)
         set_stokes(case)

@@ -37,13 +37,7 @@ Foam::functionObjects::bodyAverages::bodyAverages
 {
     read(dict);
     bodies_.region().keepForces();
-
-    if (bodies_.nUnresolved())
-    {
-        WarningInFunction
-            << "Function object '" << name << "': bodies that the mesh does not"
-            << " resolve have no part in the averages" << nl << endl;
-    }
+    bodyFunctionObject::resolvedOnly(bodies_, name, "averages");
 }
 
 

@@ -46,6 +46,22 @@ Foam::functionObjects::bodyFunctionObject::bodiesOf
 }
 
 
+void Foam::functionObjects::bodyFunctionObject::resolvedOnly
+(
+    const immersedBodies& bodies,
+    const word& name,
+    const word& what
+)
+{
+    if (bodies.nUnresolved())
+    {
+        WarningInFunction
+            << "Function object '" << name << "': bodies that the mesh does not"
+            << " resolve have no part in the " << what << nl << endl;
+    }
+}
+
+
 void Foam::functionObjects::bodyFunctionObject::writeVector
 (
     Ostream& os,

@@ -59,13 +59,7 @@ Foam::functionObjects::suspensionStress::suspensionStress
 
     record_.reset(new stressRecord(name, mesh_, names()));
     bodies_.region().keepForces();
-
-    if (bodies_.nUnresolved())
-    {
-        WarningInFunction
-            << "Function object '" << name << "': bodies that the mesh does not"
-            << " resolve have no part in the stress" << nl << endl;
-    }
+    bodyFunctionObject::resolvedOnly(bodies_, name, "stress");
 }
 
 

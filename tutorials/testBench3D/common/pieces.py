@@ -157,10 +157,10 @@ def headShape(bench):
     if head["blocked"] > head["outlets"]:
         raise ValueError(f"head.blocked: {head['blocked']} is none of the "
                          f"{head['outlets']} outlets")
-    section = tubeSection(bench)
+    section, width = tubeSection(bench), tubes["diameter"]
     return Head(pipe["diameter"]/2, head["diameter"]/2, head["height"],
-                head["outlets"], tubes["diameter"]/2, head["outletHeight"],
-                section, tubes["diameter"]/section.n)
+                head["outlets"], width/2, head["outletHeight"], section,
+                width/section.n)
 
 
 def outletFrame(bench, number):
@@ -176,9 +176,8 @@ def outletFrame(bench, number):
 def headFlow(bench, outlets):
     """Flow of a piece with a head; outlets: names of the open ones."""
     pipe = bench["feedPipe"]
-    axis = np.array([0, 0, bench["head"]["outletHeight"]])
     # Planes through nodes would miss cells
-    beside = axis + (0, 1e-4, 1e-4)
+    beside = np.array([0, 1e-4, bench["head"]["outletHeight"] + 1e-4])
     return {
         "meanVelocity": bench["air"]["feedVelocity"],
         "diameter": pipe["diameter"],
