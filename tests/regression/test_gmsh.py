@@ -3,6 +3,7 @@
 
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -11,11 +12,33 @@ import numpy as np
 import pytest
 
 from benchCase import BENCH, BenchCase
+from bodyCase import GRAVITY
 from test_testBench import patches, volume
 
 needs_gmsh = pytest.mark.skipif(
     not importlib.util.find_spec("gmsh"),
     reason="the python module of gmsh is not installed: etc/setup-debian -gmsh")
+
+BALL = """FoamFile
+{
+    version     2.0;
+    format      ascii;
+    class       dictionary;
+    object      immersedBodyProperties;
+}
+
+rho     1.2;
+bodies
+{
+    ball
+    {
+        shape       { type sphere; radius 0.02; }
+        density     60;
+        position    (0.01 0.005 0.025);
+    }
+}
+contact { type softSphere; }
+"""
 
 # A small and coarse head
 HEAD = ["head.outlets=4", "head.diameter=0.16", "feedPipe.length=0.1",
@@ -121,6 +144,30 @@ def test_head_from_a_STEP_file(faces, step, tmp_path):
     expected = {"fanInlet", "walls", "outlet1", "outlet2"} if faces else ALL
     assert set(patches(case)) == expected
     assert volume(log) == pytest.approx(hexahedra(tmp_path, HEAD), rel=0.02)
+
+
+@needs_gmsh
+def test_resolved_grain_in_tetrahedra(step, tmp_path):
+    """A free sphere in the head: the flow stays as it is from step to step, and
+    all of them converge."""
+    case = BenchCase("distributionHead", tmp_path, ["-step", step, *HEAD],
+                     "step", "gmshMesh")
+    (case.path/"constant/g").write_text(GRAVITY.format(0, 0, -9.81))
+    (case.path/"constant/immersedBodyProperties").write_text(BALL)
+    control = case.path/"system/controlDict"
+    text = control.read_text()
+    for old, new in (("adjustTimeStep  yes", "adjustTimeStep  no"),
+                     ("deltaT          1e-4", "deltaT          2e-5"),
+                     ("endTime         0.2", "endTime         6e-4")):
+        assert old in text
+        text = text.replace(old, new)
+    control.write_text(text)
+    log = case.run("foamRun")
+
+    assert log.count("Progress: step") == 30
+    assert "not converged" not in log
+    courant = [float(c) for c in re.findall(r"Courant Number.*max: (\S+)", log)]
+    assert max(courant[5:]) < 1.2*courant[5]
 
 
 @needs_gmsh
