@@ -32,7 +32,8 @@ def film(tmp_path_factory):
             [(-0.3, -0.6), (0.35, -0.4), (-0.25, 0.05)], ratio=4,
             velocities=[(0, -1), (0, -1), (0.2, -1.5)],
         ),
-        f"{contact(e=0.7)} lubrication {{ type leadingOrder; }}",
+        f"{contact(e=0.7)} lubrication {{ type leadingOrder; }}"
+        "coupling { tolerance 1e-4; }",
     )
     case.controls(
         endTime=0.24, deltaT=0.01, writeControl="timeStep", writeInterval=12,

@@ -195,7 +195,7 @@ TEST_CASE("Preconditioner where the coefficient varies", "[fastPoisson]")
         "solver PCG; tolerance 1e-12; preconditioner"
         "{ preconditioner fastPoisson; field p; }";
     scalarField tau(made.mesh().nInternalFaces() + 1, 1);
-    RandomNumbers random(3);
+    testTools::RandomNumbers random(3);
 
     for (scalar& t : tau)
     {

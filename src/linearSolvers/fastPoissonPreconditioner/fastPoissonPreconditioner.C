@@ -25,7 +25,10 @@ namespace
         const Foam::polyMesh* mesh =
             dynamic_cast<const Foam::polyMesh*>(&lduMesh);
 
-        return mesh ? Foam::boxSolverCache::New(*mesh).find(fieldName) : nullptr;
+        return
+            mesh
+          ? Foam::boxSolverCache::New(*mesh).find(fieldName)
+          : nullptr;
     }
 }
 
