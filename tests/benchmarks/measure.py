@@ -39,6 +39,23 @@ def set_direct(case):
     )
 
 
+def set_smoother(case):
+    """Smoothing in place of a solver for the velocity: all components at
+    once."""
+    case.replace(
+        "system/fvSolution", "PBiCGStab;\n        preconditioner  DILU",
+        "smoothSolver;\n        smoother        symGaussSeidel",
+    )
+
+
+def set_orthogonal(case):
+    """No corrections for cells that are not orthogonal."""
+    schemes = case.path/"system/fvSchemes"
+    schemes.write_text(
+        schemes.read_text().replace("corrected", "orthogonal")
+    )
+
+
 def set_viscosity(case, nu):
     """nu of a case whose file says 0.5."""
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")

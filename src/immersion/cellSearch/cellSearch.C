@@ -140,7 +140,7 @@ Foam::scalar Foam::cellSearch::faceH
 
 Foam::scalar Foam::cellSearch::faceHMax(const label facei) const
 {
-    return Foam::sqrt(maxEigenvalue(faceEdges(facei)));
+    return uniform_ ? hMax_ : Foam::sqrt(maxEigenvalue(faceEdges(facei)));
 }
 
 
@@ -203,13 +203,16 @@ Foam::labelList Foam::cellSearch::facesOf(const labelUList& cells) const
         }
     }
 
-    for (const label facei : faces)
-    {
-        faceMet_.unset(facei);
-    }
+    // Sorted: as of the cells, the order must not depend on where the search
+    // was made
+    label facei = faces.empty() ? -1 : min(faces);
 
-    // As the cells: the order must not depend on where the search was made
-    Foam::sort(faces);
+    for (label& sorted : faces)
+    {
+        sorted = facei;
+        faceMet_.unset(facei);
+        facei = faceMet_.find_next(facei);
+    }
 
     return labelList(std::move(faces));
 }

@@ -130,23 +130,34 @@ void Foam::lineGrid::findPlaces(const tensorGrid& grid)
         (
             grid.index()[mesh_.faceNeighbour()[facei]] - grid.index()[celli]
         );
+        const direction k = way[0] != 0 ? 0 : way[1] != 0 ? 1 : 2;
+        const lines& along = lines_[k];
 
-        axis_[facei] = way[0] != 0 ? 0 : way[1] != 0 ? 1 : 2;
-        place_[facei] = celli;
+        axis_[facei] = k;
+        place_[facei] = along.face
+        (
+            celli/along.slab % along.nSlabs,
+            celli/along.step % along.n + 1,
+            celli/along.next % along.nLines
+        );
     }
 
     for (direction k = 0; k < 3; ++k)
     {
         for (label side = 0; side < 2; ++side)
         {
-            const labelList& faces = lines_[k].sides[side];
+            const lines& along = lines_[k];
+            const labelList& faces = along.sides[side];
 
             forAll(faces, p)
             {
                 const label facei = mesh_.nInternalFaces() + faces[p];
 
                 axis_[facei] = k;
-                place_[facei] = side == 0 ? ~p : mesh_.faceOwner()[facei];
+                place_[facei] = along.face
+                (
+                    p/along.nLines, side*along.n, p % along.nLines
+                );
             }
         }
     }

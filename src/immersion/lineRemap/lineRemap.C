@@ -19,16 +19,21 @@ Foam::lineRemap::sorted(const UList<vector>& s) const
     {
         const lineGrid::lines& along = grid_->along(k);
 
-        all[k].faces = scalarField(cells_.size(), Zero);
-        all[k].lowSide = scalarField(along.nLines*along.nSlabs, Zero);
+        all[k].faces = scalarField(along.nSlabs*along.nFaces(), Zero);
+        all[k].slabs = boolList(along.nSlabs, false);
     }
 
     forAll(faces_, i)
     {
         const direction k = grid_->axis(faces_[i]);
-        const label place = grid_->place(faces_[i]);
 
-        (place < 0 ? all[k].lowSide[~place] : all[k].faces[place]) = s[i][k];
+        if (s[i][k] != 0)
+        {
+            const label place = grid_->place(faces_[i]);
+
+            all[k].faces[place] = s[i][k];
+            all[k].slabs[place/grid_->along(k).nFaces()] = true;
+        }
     }
 
     return all;

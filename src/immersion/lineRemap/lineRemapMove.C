@@ -45,28 +45,26 @@ void Foam::lineRemap::changes
 
     for (label slabi = 0; slabi < along.nSlabs; ++slabi)
     {
-        if (!slab.loadDisplacements(slabi, s.faces, s.lowSide))
+        if (!s.slabs[slabi])
         {
             continue;
         }
 
         slab.load(slabi, y, beyond);
-        slab.sweep(smooth);
+        slab.sweep(&s.faces[along.face(slabi, 0, 0)], smooth);
 
         for (label layer = 0; layer < along.n; ++layer)
         {
             label celli = along.cell(slabi, layer, 0);
+            slab.sum(layer);
 
             for (label line = 0; line < along.nLines; ++line)
             {
-                const scalar sum = slab.swept(layer, line);
-
-                change[celli] += sum
-                  - slab.displaced(layer, line)*slab.value(layer, line);
+                change[celli] += slab.change(line);
 
                 if (swept)
                 {
-                    (*swept)[celli] += sum;
+                    (*swept)[celli] += slab.swept(line);
                 }
                 celli += along.next;
             }

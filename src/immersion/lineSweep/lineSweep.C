@@ -9,40 +9,11 @@ Foam::lineSweep::lineSweep(const lineGrid::lines& along)
     y_(along.widths.size()*nLines_, Zero),
     g_(y_.size(), Zero),
     b_(y_.size(), Zero),
-    s_((along.n + 1)*nLines_, Zero),
-    swept_(s_.size(), Zero)
+    s_(nullptr),
+    sweptOver_(along.nFaces(), Zero),
+    swept_(nLines_),
+    change_(nLines_)
 {}
-
-
-bool Foam::lineSweep::loadDisplacements
-(
-    const label slabi,
-    const scalarField& faces,
-    const scalarField& lowSide
-)
-{
-    scalar largest = 0;
-
-    for (label line = 0; line < nLines_; ++line)
-    {
-        s_[line] = lowSide[slabi*nLines_ + line];
-        largest = max(largest, mag(s_[line]));
-    }
-
-    for (label layer = 0; layer < along_.n; ++layer)
-    {
-        scalar* const s = &s_[(layer + 1)*nLines_];
-        const label celli = along_.cell(slabi, layer, 0);
-
-        for (label line = 0; line < nLines_; ++line)
-        {
-            s[line] = faces[celli + line*along_.next];
-            largest = max(largest, mag(s[line]));
-        }
-    }
-
-    return largest > 0;
-}
 
 
 void Foam::lineSweep::differences
@@ -79,8 +50,9 @@ void Foam::lineSweep::differentiate()
 }
 
 
-void Foam::lineSweep::sweep(const bool smooth)
+void Foam::lineSweep::sweep(const scalar* displacements, const bool smooth)
 {
+    s_ = displacements;
     differentiate();
 
     if (smooth)
@@ -102,7 +74,7 @@ void Foam::lineSweep::sweep(const bool smooth)
         const scalar* const g = &g_[at*nLines_];
         const scalar* const b = &b_[at*nLines_];
         const scalar* const s = &s_[i*nLines_];
-        scalar* const swept = &swept_[i*nLines_];
+        scalar* const swept = &sweptOver_[i*nLines_];
 
         // Faces of patches do not move
         const scalar inverse = d > 0 ? 1/d : 0;
@@ -127,5 +99,25 @@ void Foam::lineSweep::sweep(const bool smooth)
                     )
                 );
         }
+    }
+}
+
+
+void Foam::lineSweep::sum(const label layer)
+{
+    const label at = lineGrid::lines::at(layer);
+    const scalar width = along_.widths[at];
+    const scalar* const y = &y_[at*nLines_];
+    const scalar* const s = &s_[layer*nLines_];
+    const scalar* const over = &sweptOver_[layer*nLines_];
+    scalar* const swept = swept_.data();
+    scalar* const change = change_.data();
+
+    for (label line = 0; line < nLines_; ++line)
+    {
+        const label above = line + nLines_;
+
+        swept[line] = (over[above] - over[line])/width;
+        change[line] = swept[line] - (s[above] - s[line])/width*y[line];
     }
 }

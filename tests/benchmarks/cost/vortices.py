@@ -10,6 +10,7 @@ import boxMesh
 import roundTube
 from bodyCase import CASES, BodyCase
 from boxMesh import uniform
+from measure import set_orthogonal, set_smoother
 
 WALLS = '"(inlet|outlet|walls)" { type %s; } frontAndBack { type empty; }'
 # Cell Reynolds number 5: that of grains of eight cells is 40
@@ -140,8 +141,7 @@ def make(folder, mesh, name):
     control.write_text(f"{head}\nfunctions\n{{}}\n")
 
     solution = "system/fvSolution"
-    case.replace(solution, "PBiCGStab", "smoothSolver")
-    case.replace(solution, "preconditioner  DILU", "smoother symGaussSeidel")
+    set_smoother(case)
     case.replace(solution, "pRefCell ", "nCorrectors 2;\n    pRefCell ")
     case.replace(
         "system/fvSchemes", "none;",
@@ -149,7 +149,6 @@ def make(folder, mesh, name):
     )
     if isinstance(mesh, Box):
         # Nothing to correct; for all solvers alike
-        file = case.path/"system/fvSchemes"
-        file.write_text(file.read_text().replace("corrected", "orthogonal"))
+        set_orthogonal(case)
     case.replace("constant/transportProperties", "0.1;", f"{VISCOSITY};")
     return case

@@ -4,7 +4,7 @@
 import math
 
 import numpy as np
-from measure import Run, set_stokes, set_viscosity
+from measure import Run, set_smoother, set_stokes, set_viscosity
 from slidingBox import (
     centres, set_stress, set_velocity, sliding_box, stress,
 )
@@ -69,10 +69,7 @@ def case_of(folder, name, n, dims, bodies, strains, contact=""):
     case = sliding_box(folder, name, cells, (1,)*dims)
     set_stokes(case)
     set_viscosity(case, NU)
-    case.replace(
-        "system/fvSolution", "PBiCGStab;\n        preconditioner  DILU",
-        "smoothSolver;\n        smoother        symGaussSeidel",
-    )
+    set_smoother(case)
     x = centres(cells, (1,)*dims)
     velocity = 0*x
     velocity[:, 0] = x[:, 1] - 0.5
