@@ -183,38 +183,6 @@ TEST_CASE("What is no Laplacian on a box is solved otherwise", "[fastPoisson]")
 }
 
 
-TEST_CASE("Preconditioner where the coefficient varies", "[fastPoisson]")
-{
-    // Iterations depend on the range of the coefficient, here 10, and not on
-    // the number of cells
-    const label n = GENERATE(8, 32);
-    boxMesh box(makeBox({n, n, 1}, {"zf", "cc", "zz"}, 1));
-    box.processor = processors(0, box);
-    problem made(box);
-    const std::string controls =
-        "solver PCG; tolerance 1e-12; preconditioner"
-        "{ preconditioner fastPoisson; field p; }";
-    scalarField tau(made.mesh().nInternalFaces() + 1, 1);
-    testTools::RandomNumbers random(3);
-
-    for (scalar& t : tau)
-    {
-        t = 0.1 + 0.9*(0.5 + 0.5*random.number());
-    }
-
-    CHECK(testTools::messageOf([&]()
-    {
-        made.solve(made.equation(tau).ref(), false, controls);
-    }).find("has not been solved for") != std::string::npos);
-
-    // Once with a uniform one
-    made.solve(made.equation(1).ref(), false);
-    CHECK(made.solve(made.equation(tau).ref(), false, controls) < 1e-10);
-    CHECK(made.performance.solverName() == "fastPoissonPCG");
-    CHECK(made.performance.nIterations() < 40);
-}
-
-
 TEST_CASE("New conditions are noticed", "[fastPoisson]")
 {
     boxMesh box(makeBox({9, 7, 1}, {"zf", "zz", "zz"}, 0));

@@ -106,7 +106,7 @@ void Foam::lineSweep::sweep(const scalar* displacements, const bool smooth)
 void Foam::lineSweep::sum(const label layer)
 {
     const label at = lineGrid::lines::at(layer);
-    const scalar width = along_.widths[at];
+    const scalar inverse = 1/along_.widths[at];
     const scalar* const y = &y_[at*nLines_];
     const scalar* const s = &s_[layer*nLines_];
     const scalar* const over = &sweptOver_[layer*nLines_];
@@ -117,7 +117,7 @@ void Foam::lineSweep::sum(const label layer)
     {
         const label above = line + nLines_;
 
-        swept[line] = (over[above] - over[line])/width;
-        change[line] = swept[line] - (s[above] - s[line])/width*y[line];
+        swept[line] = inverse*(over[above] - over[line]);
+        change[line] = swept[line] - inverse*(s[above] - s[line])*y[line];
     }
 }

@@ -83,5 +83,5 @@ void Foam::fastPoissonPreconditioner::precondition
 ) const
 {
     b_ = r;
-    direct_.solve(solver_.matrix(), b_, w);
+    direct_.precondition(solver_.matrix(), b_, w);
 }
