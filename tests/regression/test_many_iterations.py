@@ -49,4 +49,5 @@ def test_crowd_from_rest_and_in_contact(tmp_path):
     run, _, _ = crowd.solve(tmp_path, 18, 32, 8, 48)
     assert run.converged == run.steps
     assert max(run.outers) <= 10
+    assert run.outers[0] <= 6
     assert sum(run.outers[24:])/24 < 4.5

@@ -13,8 +13,10 @@
 namespace
 {
     //- Outer iterations in which the projection alone is enough: most time
-    //  steps have no more
+    //  steps have no more. One, where that changed velocities by more than such
+    //  a part: a start from rest
     const Foam::label nPlain = 2;
+    const Foam::scalar sudden = 0.3;
 
     //- Viscous reach, in cells, squared, and Courant number up to which the
     //  response of the fluid to the pressure is that of layerProjection
@@ -173,9 +175,11 @@ void Foam::flowSolvers::immersedFluid::project
 
 bool Foam::flowSolvers::immersedFluid::layersLag() const
 {
+    const label nAlone = iteration_.change() > sudden ? 1 : nPlain;
+
     if
     (
-        iteration_.number() <= nPlain
+        iteration_.number() <= nAlone
      || !bodies_.anyFree()
      || viscousReach_ > maxLayerReach
      || CoNum > maxLayerCourant
