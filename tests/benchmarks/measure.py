@@ -56,6 +56,13 @@ def set_orthogonal(case):
     )
 
 
+def set_box(case):
+    """All that is fast where cells are orthogonal in a box."""
+    set_direct(case)
+    set_smoother(case)
+    set_orthogonal(case)
+
+
 def set_viscosity(case, nu):
     """nu of a case whose file says 0.5."""
     case.replace("constant/transportProperties", "0.5;", f"{nu:.12g};")

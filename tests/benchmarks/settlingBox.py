@@ -4,12 +4,7 @@ along x."""
 
 import numpy as np
 
-from measure import (
-    set_direct,
-    set_orthogonal,
-    set_smoother,
-    set_viscosity,
-)
+from measure import set_box, set_viscosity
 from periodicBox import periodic_case
 from periodicTube import FLOW_RATE
 
@@ -39,9 +34,7 @@ def settling_box(
     case = periodic_case(folder, name, cells, 3, 0, True, length=side)
     case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
     (case.path/"constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
-    set_direct(case)
-    set_smoother(case)
-    set_orthogonal(case)
+    set_box(case)
     set_viscosity(case, nu)
     case.gravity(gravity)
     positions = " ".join(

@@ -8,7 +8,7 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_direct
+from measure import Run, set_box
 
 # Densities [kg/m3] of fluid and sphere, viscosity [Pa s], largest velocity
 # measured [m/s], time to a gap of about half a diameter [s]
@@ -58,7 +58,7 @@ def solve(folder, name, cells, whole):
     part = "whole" if whole else "quarter"
     case = BodyCase("box", folder, f"{name}_D{cells}_{part}")
     n = mesh(case, cells, whole)
-    set_direct(case)
+    set_box(case)
     case.replace(
         "constant/transportProperties", "0.1;", f"{mu/rho:.12g};"
     )
