@@ -74,8 +74,6 @@ void Foam::bodyRegion::search
 
     nearCells_ = inReach;
     nearFaces_ = search.facesOf(nearCells_);
-    nearCellCentres_ = relative(search.mesh().cellCentres(), nearCells_);
-    nearFaceCentres_ = relative(search.mesh().faceCentres(), nearFaces_);
     nearCellH_.setSize(nearCells_.size());
     nearFaceH_.setSize(nearFaces_.size());
 
@@ -187,8 +185,6 @@ bool Foam::bodyRegion::clear()
     position_ = point::max;
     nearCells_.clear();
     nearFaces_.clear();
-    nearCellCentres_.clear();
-    nearFaceCentres_.clear();
     nearCellH_.clear();
     nearFaceH_.clear();
 

@@ -7,7 +7,7 @@ void Foam::bodyRegion::select
 (
     const immersedBody& body,
     const labelUList& labels,
-    const pointField& centres,
+    const UList<point>& centres,
     const scalarField& sizes,
     const SizeAlong& sizeAlong,
     const scalar bandWidth,
@@ -19,8 +19,9 @@ void Foam::bodyRegion::select
 ) const
 {
     const scalar hCap = hMax(body);
+    const pointField allX(relative(centres, labels));
     scalarField allD(labels.size());
-    body.distance(centres, allD);
+    body.distance(allX, allD);
 
     inBand.clear();
     x.clear();
@@ -32,7 +33,7 @@ void Foam::bodyRegion::select
         if (allD[i] < bandWidth*sizes[i])
         {
             inBand.append(labels[i]);
-            x.append(centres[i]);
+            x.append(allX[i]);
             d.append(allD[i]);
             h.append(sizes[i]);
         }
@@ -118,22 +119,17 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     {
         this->search(body, search, bandWidth);
     }
-    else if (slid_)
-    {
-        nearCellCentres_ = relative(search.mesh().cellCentres(), nearCells_);
-        nearFaceCentres_ = relative(search.mesh().faceCentres(), nearFaces_);
-    }
     slid_ = false;
 
     select
     (
-        body, nearCells_, nearCellCentres_, nearCellH_,
+        body, nearCells_, search.mesh().cellCentres(), nearCellH_,
         [&](const label celli, const vector& n) { return search.h(celli, n); },
         bandWidth, cells, x, distance, normal, h
     );
     select
     (
-        body, nearFaces_, nearFaceCentres_, nearFaceH_,
+        body, nearFaces_, search.mesh().faceCentres(), nearFaceH_,
         [&](const label facei, const vector& n)
         {
             return search.faceH(facei, n);

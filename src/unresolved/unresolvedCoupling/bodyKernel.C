@@ -53,12 +53,12 @@ Foam::bodyKernel::bodyKernel()
 
 void Foam::bodyKernel::clear()
 {
+    images_.clearStorage();
     near_.clearStorage();
-    nearShift_.clearStorage();
-    nearVelocity_.clearStorage();
+    nearImage_.clearStorage();
     cells.clearStorage();
+    image.clearStorage();
     r.clearStorage();
-    imageU.clearStorage();
     weight.clearStorage();
     searchMargin_ = -1;
     centreCell = -1;
@@ -82,9 +82,9 @@ void Foam::bodyKernel::search
 
     const scalar reach = R + searchMargin_;
 
+    images_ = {periodicity::image{Zero, Zero, Zero}};
     near_.clear();
-    nearShift_.clear();
-    nearVelocity_.clear();
+    nearImage_.clear();
 
     for (const periodicity::image& im : periods.localImages(x, reach))
     {
@@ -94,6 +94,7 @@ void Foam::bodyKernel::search
         {
             continue;
         }
+        images_.append(im);
 
         for (const label celli : search.cellsAround(image, reach))
         {
@@ -102,8 +103,7 @@ void Foam::bodyKernel::search
             if (magSqr(d) < sqr(reach))
             {
                 near_.append(celli);
-                nearShift_.append(im.shift);
-                nearVelocity_.append(im.velocity);
+                nearImage_.append(images_.size() - 1);
             }
         }
     }
@@ -135,8 +135,8 @@ void Foam::bodyKernel::update
     label nearesti = -1;
 
     cells.clear();
+    image.clear();
     r.clear();
-    imageU.clear();
     weight.clear();
     centreCell = -1;
     nBeside = 0;
@@ -144,7 +144,8 @@ void Foam::bodyKernel::update
 
     forAll(near_, i)
     {
-        const vector ri(mesh.cellCentres()[near_[i]] - x - nearShift_[i]);
+        const vector& shift = images_[nearImage_[i]].shift;
+        const vector ri(mesh.cellCentres()[near_[i]] - x - shift);
         const scalar s = magSqr(ri)/sqr(R);
 
         if (s >= 1)
@@ -159,7 +160,7 @@ void Foam::bodyKernel::update
         }
         cells.append(near_[i]);
         r.append(ri);
-        imageU.append(nearVelocity_[i]);
+        image.append(nearImage_[i]);
         weight.append(sqr(1 - s));
     }
 
@@ -197,7 +198,7 @@ void Foam::bodyKernel::update
     {
         cells.append(centreCell);
         r.append(mesh.cellCentres()[centreCell] - x);
-        imageU.append(Zero);
+        image.append(0);
         weight.append(1);
     }
     if (centreCell >= 0)

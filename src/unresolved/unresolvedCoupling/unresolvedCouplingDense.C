@@ -24,7 +24,7 @@ void spread
 
         drag[celli] += kernel.weight[i]*F.k;
         part[celli] -= kernel.weight[i]*F.v;
-        force[celli] -= kernel.weight[i]*(F.f - F.k*kernel.imageU[i]);
+        force[celli] -= kernel.weight[i]*(F.f - F.k*kernel.imageU(i));
     }
 }
 
@@ -220,7 +220,7 @@ void Foam::unresolvedCoupling::advance
                 const grainForce& f = forces_[bodyi];
                 const label celli = kernel.cells[i];
 
-                return f.k*(U[celli] - kernel.imageU[i]) + f.v*a[celli];
+                return f.k*(U[celli] - kernel.imageU(i)) + f.v*a[celli];
             }
         )
     );

@@ -31,7 +31,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
             (
                 weight,
                 kernel.r[i],
-                U[celli] - kernel.imageU[i],
+                U[celli] - kernel.imageU(i),
                 flow.ddtU
               ? (*flow.ddtU)[celli]
               : ddt(U[celli], U0[celli], U00[celli])
