@@ -16,6 +16,7 @@ DISC = """
         shape       { type disc; radius 0.25; }
         densityRatio 2;
         position    (-0.1 -0.3 0);
+        velocity    ambient;
     }
 """
 FAST = "fastPoisson; fallback { solver PCG; preconditioner DIC; }"
@@ -36,7 +37,8 @@ def solve(tmp_path_factory):
         case.replace("system/fvSolution", "0.01", "0")
         case.replace("system/fvSolution", "1e-9", "1e-12")
         case.replace("system/fvSolution", "1e-3", "0")
-        # As many iterations for all: the way to convergence depends on solvers
+        # As many iterations for all, and no sudden start: the way to convergence
+        # depends on solvers
         case.bodies(DISC, "coupling { nOuterCorrectors 2; }")
         case.controls(
             endTime="0.06", writeInterval="0.06", writeFormat="ascii",

@@ -148,3 +148,23 @@ Foam::label Foam::cellSearch::findCell(const point& x) const
 
     return -1;
 }
+
+
+Foam::labelList Foam::cellSearch::cellsAt(const point& x) const
+{
+    const label first = findCell(x);
+    DynamicList<label> cells;
+
+    if (first >= 0)
+    {
+        for (const label celli : cellsAround(x, 4*hMax(first)))
+        {
+            if (celli == first || contains(celli, x))
+            {
+                cells.append(celli);
+            }
+        }
+    }
+
+    return labelList(std::move(cells));
+}

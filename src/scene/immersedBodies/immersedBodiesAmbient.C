@@ -53,8 +53,8 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
         return;
     }
 
-    // Gradients at the cell with the centre: the flow as it is at the centre,
-    // and half its vorticity
+    // Gradients at the cell with the centre, in the mean of those on both sides
+    // of a face: the flow as it is at the centre, and half its vorticity
     const volTensorField gradU(fvc::grad(U));
     vectorField centreU(bodies_.size(), Zero), spin(bodies_.size(), Zero);
     labelList found(bodies_.size(), 0);
@@ -66,9 +66,8 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
         for (const auto& im : periodicity_.localImages(centre, 0))
         {
             const point x(centre + im.shift);
-            const label celli = region_.search().findCell(x);
 
-            if (celli >= 0)
+            for (const label celli : region_.search().cellsAt(x))
             {
                 const tensor& G = gradU[celli];
 
@@ -89,8 +88,7 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
     forAll(bodies_, bodyi)
     {
-        // A point on the face between two processors may be found by both, one
-        // on a cyclic patch twice
+        // Cells of several processors, and beyond cyclic patches
         const scalar n = max(found[bodyi], 1);
 
         bodies_[bodyi].setAmbient(centreU[bodyi]/n, spin[bodyi]/n);
