@@ -24,8 +24,10 @@ namespace
     const Foam::scalar maxLayerCourant = 2;
 
     //- Density ratio of bodies for which the pressure may respond in full: that
-    //  on lighter ones follows their own acceleration
+    //  on lighter ones follows their own acceleration. At a sudden start, when
+    //  it is known least, it does so of all that are lighter than the fluid.
     const Foam::scalar leastRatio = 0.5;
+    const Foam::scalar leastRatioAtStart = 1;
 
     //- Does anything flow through a patch that is not coupled
     bool crossesPatches(const Foam::surfaceScalarField& phi)
@@ -175,28 +177,22 @@ void Foam::flowSolvers::immersedFluid::project
 
 bool Foam::flowSolvers::immersedFluid::layersLag() const
 {
-    const label nAlone = iteration_.change() > sudden ? 1 : nPlain;
-
-    if
-    (
-        iteration_.number() <= nAlone
-     || !bodies_.anyFree()
-     || viscousReach_ > maxLayerReach
-     || CoNum > maxLayerCourant
-    )
-    {
-        return false;
-    }
+    scalar lightest = GREAT;
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
-        if (bodies_[bodyi].densityRatio() < leastRatio)
-        {
-            return false;
-        }
+        lightest = min(lightest, bodies_[bodyi].densityRatio());
     }
 
-    return true;
+    const bool start =
+        iteration_.change() > sudden && lightest >= leastRatioAtStart;
+
+    return
+        iteration_.number() > (start ? 1 : nPlain)
+     && bodies_.anyFree()
+     && viscousReach_ <= maxLayerReach
+     && CoNum <= maxLayerCourant
+     && lightest >= leastRatio;
 }
 
 

@@ -20,7 +20,7 @@ Foam::lineRemap::sorted(const UList<vector>& s) const
         const lineGrid::lines& along = grid_->along(k);
 
         all[k].faces = scalarField(along.nSlabs*along.nFaces(), Zero);
-        all[k].slabs = boolList(along.nSlabs, false);
+        all[k].slabs = bitSet(along.nSlabs);
     }
 
     forAll(faces_, i)
@@ -32,7 +32,7 @@ Foam::lineRemap::sorted(const UList<vector>& s) const
             const label place = grid_->place(faces_[i]);
 
             all[k].faces[place] = s[i][k];
-            all[k].slabs[place/grid_->along(k).nFaces()] = true;
+            all[k].slabs.set(place/grid_->along(k).nFaces());
         }
     }
 

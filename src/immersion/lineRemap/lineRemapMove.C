@@ -45,7 +45,7 @@ void Foam::lineRemap::changes
 
     for (label slabi = 0; slabi < along.nSlabs; ++slabi)
     {
-        if (!s.slabs[slabi])
+        if (!s.slabs.test(slabi))
         {
             continue;
         }
