@@ -9,13 +9,15 @@ from periodicBox import periodic_case
 from periodicTube import FLOW_RATE
 
 
-def random_centres(number, side, gap, seed):
-    """Places in a periodic box, with a smallest gap between surfaces."""
+def random_centres(number, side, gap, seed, clear=0):
+    """Places in a periodic box, with a smallest gap between surfaces; clear:
+    smallest distance of centres from the two sides across y."""
     random = np.random.default_rng(seed)
+    low, high = np.array([[0, clear, 0], [side, side - clear, side]])
     found = np.empty((number, 3))
     n = 0
     for _ in range(10_000_000):
-        x = random.uniform(0, side, 3)
+        x = random.uniform(low, high)
         away = found[:n] - x
         away -= side*np.round(away/side)
         if ((away**2).sum(axis=1) > (1 + gap)**2).all():
