@@ -22,7 +22,7 @@ sys.path[:0] = [
 ]
 
 import ours  # noqa: E402
-import scenes  # noqa: E402
+import leagueScenes as scenes  # noqa: E402
 from measure import Result  # noqa: E402
 from peers import cans, cp3d, given, walberla  # noqa: E402
 from report import Report  # noqa: E402
@@ -136,9 +136,9 @@ def fluid(folder, players, choice):
 TASKS = {"tenCate": tenCate, "crowd": crowd, "fluid": fluid}
 
 
-def league(folder, paths, choice):
-    """All rows; paths: as for programs()."""
-    players = [(ours, shutil.which("foamRun")), *programs(paths)]
+def league(folder, peers, choice):
+    """All rows; peers: as of programs()."""
+    players = [(ours, shutil.which("foamRun")), *peers]
     for peer, program in players:
         yield Result(
             f"{given.machine()}; {given.compiler(program)}", None, None,
@@ -149,7 +149,11 @@ def league(folder, paths, choice):
 
 
 def rows(folder, quick):
-    yield from league(folder, os.environ, QUICK if quick else Choice())
+    peers = programs(os.environ)
+    if not peers:
+        print("nothing to compare with")
+        return
+    yield from league(folder, peers, QUICK if quick else Choice())
 
 
 def arguments():
@@ -194,16 +198,19 @@ def main():
         f"--{peer.SOLVER.lower()}": getattr(args, peer.SOLVER.lower())
         for peer in PEERS
     })
+    try:
+        peers = programs(paths)
+    except given.NotExecutable as error:
+        parser.error(str(error))
+    if not shutil.which("foamRun"):
+        parser.error("foamRun is not on PATH: source etc/bashrc first")
     report = Report("league", Path(args.results))
     with tempfile.TemporaryDirectory() as scratch:
         try:
-            for row in league(Path(scratch), paths, chosen(args)):
+            for row in league(Path(scratch), peers, chosen(args)):
                 report.add(row)
-        except given.NotExecutable as error:
-            parser.error(str(error))
         finally:
-            if report.rows:
-                report.write()
+            report.write()
     return 1 if report.diverged() else 0
 
 

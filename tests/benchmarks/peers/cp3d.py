@@ -42,7 +42,7 @@ def outputs(folder):
 
 
 def execute(program, folder, fluid, spheres, steps):
-    """Run with these two files; processor time and log."""
+    """Run with these two files. steps: the last of which there is output."""
     (folder/"fluid").write_text(fluid)
     (folder/"spheres").write_text(spheres)
     done = run([program, "fluid", "spheres"], folder).check(SOLVER)
@@ -52,41 +52,46 @@ def execute(program, folder, fluid, spheres, steps):
     return done
 
 
+def settle(program, folder, scene, milliseconds):
+    """The run of a sphere that settles along y with this time step; gaps over
+    the diameter and velocities [m/s] downwards."""
+    across = fft_size(scene.width*scene.cells/scene.diameter)
+    along = 2*round(scene.height*across/scene.width/2)
+    cells = across*scene.diameter/scene.width
+    dt = 1e-3*milliseconds
+    steps = math.ceil(scene.end/dt)
+    every = max(1, steps//SAMPLES)
+
+    place = folder/f"{SOLVER}_{scene.name}_D{scene.cells}_{milliseconds}"
+    middle, start = 0.5*scene.width, 0.5*scene.diameter + scene.gap
+    write_places(place, [(middle, start, middle)], scene.diameter)
+    done = execute(
+        program, place,
+        fluid_input(
+            (scene.width, scene.height, scene.width),
+            (across, along, across), scene.mu/scene.rho, float(scene.rho),
+            dt, steps, "RK3", periodic=False, every=every,
+        ),
+        spheres_input(
+            1, scene.diameter, cells, float(scene.rho_s),
+            [0.0, -scene.gravity, 0.0], floor=True, fixed=False,
+        ),
+        steps - steps % every,
+    )
+    read = [read_spheres(file, 1) for file in outputs(place).values()]
+    gap = np.array([x[0, 1] for x, _ in read])/scene.diameter - 0.5
+    speed = -np.array([v[0, 1] for _, v in read])
+    result = Result(
+        f"{scene.name} whole, RK3, {milliseconds} ms", round(cells, 2),
+        across*along*across, steps, done.cpu, SOLVER,
+    )
+    return result, gap, speed
+
+
 def tenCate(program, folder, scene, quick=False):
-    """Rows of a sphere that settles in a closed box, along y."""
-    width, height = scene.width, scene.height
-    across = fft_size(width*scene.cells/scene.diameter)
-    along = 2*round(height*across/width/2)
-    cells = across*scene.diameter/width
+    """Rows of a sphere that settles in a closed box."""
     for milliseconds in STEPS[scene.name][:1 if quick else None]:
-        dt = 1e-3*milliseconds
-        steps = math.ceil(scene.end/dt)
-        place = folder/f"{SOLVER}_{scene.name}_D{scene.cells}_{milliseconds}"
-        start = 0.5*scene.diameter + scene.gap
-        write_places(
-            place, [(0.5*width, start, 0.5*width)], scene.diameter
-        )
-        done = execute(
-            program, place,
-            fluid_input(
-                (width, height, width), (across, along, across),
-                scene.mu/scene.rho, float(scene.rho), dt, steps, "RK3",
-                periodic=False, every=max(1, steps//SAMPLES),
-            ),
-            spheres_input(
-                1, scene.diameter, cells, float(scene.rho_s),
-                [0.0, -scene.gravity, 0.0], floor=True, fixed=False,
-            ),
-            steps//max(1, steps//SAMPLES)*max(1, steps//SAMPLES),
-        )
-        files = outputs(place).values()
-        read = [read_spheres(file, 1) for file in files]
-        gap = np.array([x[0, 1] for x, _ in read])/scene.diameter - 0.5
-        speed = -np.array([v[0, 1] for _, v in read])
-        result = Result(
-            f"{scene.name} whole, RK3, {milliseconds} ms", round(cells, 2),
-            across*along*across, steps, done.cpu, SOLVER,
-        )
+        result, gap, speed = settle(program, folder, scene, milliseconds)
         yield result.row("V max, m/s", speed.max(), scene.fastest)
         yield result.row("gap/D at V max", gap[speed.argmax()])
 

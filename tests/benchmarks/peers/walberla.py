@@ -54,7 +54,7 @@ def read_table(folder):
     return table[:, 1], table[:, 4], -table[:, 6]
 
 
-def tenCate(program, folder, scene):
+def tenCate(program, folder, scene, quick=False):
     """Rows of a sphere that settles in a closed box."""
     place = folder/f"{SOLVER}_{scene.name}_D{scene.cells}"
     place.mkdir(parents=True)
