@@ -105,3 +105,21 @@ def test_rows_of_a_crowd():
         "that over one fixed sphere": 2, "mean velocity": 2,
         "rms error of a sphere, %": pytest.approx(100*2**0.5),
     }
+
+
+def test_choices_of_the_command_line(capsys):
+    def chosen(line):
+        return league.chosen(league.parse(line.split())[1])
+
+    assert chosen("") == league.Choice()
+    assert chosen("--quick") == league.QUICK
+    one = chosen("--only crowd --spheres 253 --box 96 --cells 10 --steps 8")
+    assert one.tasks == ("crowd",) and one.compared == ()
+    assert (one.crowds, one.steps) == (((253, 96, 10),), 8)
+    one = chosen("--spheres 148 --box 64 --compare --cases E1 --fluid 32")
+    assert (one.crowds, one.compared) == ((), ((148, 64, 8),))
+    assert (one.cases, one.fluids) == (("E1",), (32,))
+    for wrong in ("--steps 0", "--cases E5", "--only wake"):
+        with pytest.raises(SystemExit):
+            chosen(wrong)
+    assert "argument --steps: 0 is less than 4" in capsys.readouterr().err

@@ -156,7 +156,18 @@ def rows(folder, quick):
     yield from league(folder, peers, QUICK if quick else Choice())
 
 
-def arguments():
+def at_least(least):
+    """A type of an argument: an integer."""
+    def number(text):
+        if int(text) < least:
+            raise argparse.ArgumentTypeError(f"{text} is less than {least}")
+        return int(text)
+
+    return number
+
+
+def parse(words=None):
+    """The parser and what it makes of a command line."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     for peer in PEERS:
         parser.add_argument(
@@ -164,15 +175,23 @@ def arguments():
             help=f"its program; or the variable {peer.VARIABLE}",
         )
     parser.add_argument("--quick", action="store_true", help="coarse only")
-    parser.add_argument("--only", nargs="+", choices=TASKS, metavar="TASK")
-    parser.add_argument("--cases", nargs="+", metavar="E1")
-    parser.add_argument("--cells", type=int, help="per diameter")
-    parser.add_argument("--spheres", type=int, help="of the one crowd")
-    parser.add_argument("--box", type=int, default=96, help="cells per side")
-    parser.add_argument("--steps", type=int, default=20)
-    parser.add_argument("--fluid", type=int, nargs="+", metavar="N")
+    parser.add_argument("--only", nargs="+", choices=TASKS)
+    parser.add_argument("--cases", nargs="+", choices=Choice().cases)
+    parser.add_argument("--cells", type=at_least(4), help="per diameter")
+    parser.add_argument(
+        "--spheres", type=at_least(1), help="of the one crowd"
+    )
+    parser.add_argument(
+        "--box", type=at_least(16), default=96, help="its cells per side"
+    )
+    parser.add_argument("--steps", type=at_least(4), default=20)
+    parser.add_argument(
+        "--compare", action="store_true",
+        help="the crowd with ours on cells of half the size",
+    )
+    parser.add_argument("--fluid", type=at_least(8), nargs="+", metavar="N")
     parser.add_argument("--results", default=HERE.parent/"results")
-    return parser, parser.parse_args()
+    return parser, parser.parse_args(words)
 
 
 def chosen(args):
@@ -183,16 +202,19 @@ def chosen(args):
         "fluids": args.fluid, "steps": args.steps,
     }
     if args.spheres:
-        crowd = args.spheres, args.box, args.cells or 8
-        changes.update(crowds=(crowd,), compared=())
+        crowds = ((args.spheres, args.box, args.cells or 8),)
+        changes.update(
+            crowds=() if args.compare else crowds,
+            compared=crowds if args.compare else (),
+        )
     return choice._replace(**{
         key: tuple(value) if isinstance(value, list) else value
-        for key, value in changes.items() if value
+        for key, value in changes.items() if value is not None
     })
 
 
 def main():
-    parser, args = arguments()
+    parser, args = parse()
     paths = dict(os.environ)
     paths.update({
         f"--{peer.SOLVER.lower()}": getattr(args, peer.SOLVER.lower())
