@@ -203,6 +203,9 @@ void Foam::stokesEquations::evaluatePatches()
 {
     U_.correctBoundaryConditions();
 
+    // What is left of the flow before this one counts as well: beside a flow
+    // without velocity on the ends it would never be small
+    const scalar last = lagging_ ? gMax(mag(patchValues(U_))()) : scalar(0);
     bool settled = !lagging_;
     scalar first = 0;
 
@@ -216,7 +219,7 @@ void Foam::stokesEquations::evaluatePatches()
         const vectorField after(patchValues(U_));
         const scalar change = gMax(mag(after - before)());
 
-        settled = !(change > caughtUp*gMax(mag(after)()));
+        settled = !(change > caughtUp*max(gMax(mag(after)()), last));
         first = max(first, i < 3 ? change : scalar(0));
 
         if (change > lost*first)
