@@ -207,15 +207,9 @@ def test_sphere_in_a_box(tmp_path):
     assert [found[f"B_{n}"][0] for n in names] == pytest.approx(6*[0], abs=1e-6)
 
 
-@pytest.mark.parametrize(
-    "along, speed, error",
-    [("zero", 0.08315700, 1e-3), ("free", 0.08607604, 2e-3)],
-)
-def test_traction(along, speed, error, tmp_path):
-    """Ends under traction 1, without or with a velocity along them: a disc in
-    the middle of the tube, body-fitted finite elements. With a velocity the
-    corners are singular, and an error of first order is left."""
-    case = BodyCase("tube", tmp_path)
+def traction_tube(folder, along):
+    """A disc between ends under traction 1, four cells per diameter."""
+    case = BodyCase("tube", folder)
     case.controls(libs="(grainFvPatchFields)")
     end = f"type fixedTractionVelocity; tangentialVelocity {along}; backflow 0;"
     case.conditions(
@@ -226,14 +220,36 @@ def test_traction(along, speed, error, tmp_path):
         " walls { type zeroGradient; } frontAndBack { type empty; }",
     )
     set_viscosity(case, 1)
-    # Four cells per diameter, not longer at the ends than across
+    # Not longer at the ends than across
     case.mesh(uniform(-3, 3, 186), uniform(-1, 1, 62))
     case.bodies(discs([(0, 0)]))
+    return case
+
+
+@pytest.mark.parametrize(
+    "along, speed, error",
+    [("zero", 0.08315700, 1e-3), ("free", 0.08607604, 2e-3)],
+)
+def test_traction(along, speed, error, tmp_path):
+    """Ends under traction 1, without or with a velocity along them: a disc in
+    the middle of the tube, body-fitted finite elements. With a velocity the
+    corners are singular, and an error of first order is left."""
+    case = traction_tube(tmp_path, along)
     found = solve(case, inertia="no")
 
     assert found["residual"][0] < 1e-7
     assert found["V_x0"][0] == pytest.approx(speed, rel=error)
     assert found["V_y0"][0] == pytest.approx(0, abs=1e-6)
+
+
+def test_states_under_traction(tmp_path):
+    """The second state starts from the ends of the first one. Speed and, by
+    inertia, across: body-fitted finite elements."""
+    found = solve(traction_tube(tmp_path, "free"), [[(0, 0)], [(0, -0.3)]])
+
+    assert found["V_x0"][0] == pytest.approx(0.08607604, rel=2e-3)
+    assert found["V_x0"][1] == pytest.approx(0.0782325, rel=2e-3)
+    assert found["V1_y0"][1] == pytest.approx(-5.29091e-7, rel=0.01)
 
 
 def test_angles(tmp_path):

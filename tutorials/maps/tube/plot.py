@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws lateral velocities between rough walls and errors by length and mesh:
-plots/{rough,mesh}.png; prints the figures of the README."""
+plots/{rough,mesh,traction}.png; prints the figures of the README."""
 
 import os
 import pathlib
@@ -21,6 +21,15 @@ from grainPlots import plt
 # Body-fitted finite elements: at y = -0.3 without slip, Re to 0
 REFERENCE = {"speed": 1.361306, "spin": -0.448684, "lateral": -1.6066e-4,
              "resistance": 6.357214, "turning": 0.0533790}
+
+# By the force per area on the left end, and height: lateral velocity over
+# F^2/nu, body-fitted finite elements at F = 0.5, nu = 0.5
+LATERAL_BY_FORCE = np.array((
+    (-0.1, -3.00312e-7), (-0.2, -5.02922e-7), (-0.3, -5.29091e-7),
+    (-0.4, -3.34531e-7), (-0.5, 7.49544e-8), (-0.6, 6.30963e-7),
+    (-0.7, 1.185442e-6), (-0.8, 1.462136e-6),
+))
+FORCES = 0.5, 1, 2, 4
 
 
 def curves():
@@ -86,9 +95,39 @@ def mesh():
     gp.save(figure, here/"plots/mesh.png")
 
 
+def traction():
+    """Lateral velocity between ends under traction, by height and force."""
+    table = results.read_table(here/"postProcessing/traction.csv")
+    order = np.argsort(table["y"])
+    y, lateral = table["y"][order], table["lateral"][order]
+    zeros = [z for z in analysis.zeros(y, lateral) if z.slope < 0]
+    print("ends under traction: stable at "
+          + ", ".join(f"{z.x:.4f} slope {z.slope:.4e} F^2/nu" for z in zeros))
+    for at, expected in LATERAL_BY_FORCE:
+        value = lateral[np.isclose(y, at)][0]
+        print(f"    y {at:g}: {value:.4e} F^2/nu, "
+              f"{100*(value/expected - 1):.2f} %")
+
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained")
+    for F in FORCES:
+        axes[0].plot(y, lateral*F**2, ".-", label=f"F = {F:g} / s")
+    axes[1].plot(y, lateral, ".-", label="here, all F")
+    axes[1].plot(*LATERAL_BY_FORCE.T, "kx", label="finite elements, F = 0.5")
+    axes[0].set(ylabel="lateral velocity times nu [m³/s²]")
+    axes[1].set(ylabel="lateral velocity times nu over F² [m³]")
+    for ax in axes:
+        ax.axhline(0, color="0.6", linewidth=0.8)
+        ax.plot([z.x for z in zeros], [0 for _ in zeros], "ko", markersize=5)
+        ax.set(xlabel="height y [m]")
+        ax.ticklabel_format(axis="y", scilimits=(0, 0))
+        ax.legend(fontsize=8)
+    gp.save(figure, here/"plots/traction.png")
+
+
 def main():
     rough(curves())
     mesh()
+    traction()
 
 
 main()
