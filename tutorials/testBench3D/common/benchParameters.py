@@ -11,25 +11,31 @@ import pathlib
 
 FILE = pathlib.Path(__file__).resolve().parents[1]/"bench.ini"
 COUNTS = {"outlets", "blocked", "cells", "across", "rings"}
+WORDS = {"seed": ("rapeseed", "wheat", "maize")}
 LISTS = {"sensorPlanes"}
 MAY_BE_ZERO = {"roughness", "blocked", "bendAngle", "angle", "sensorPlanes",
-               "endLength"}
+               "endLength", "restitution", "wallRoughness",
+               "rollingFriction"}
 
 
 class BenchError(SystemExit):
     """A wrong entry, with the file and what is allowed; ends a script."""
 
 
-def number(name, text):
+def value(name, text):
+    """A number, or one of the words of this name."""
+    if name in WORDS:
+        known(name, text, WORDS[name])
+        return text
     kind = int if name in COUNTS else float
     try:
-        value = kind(text)
+        result = kind(text)
     except ValueError:
         what = "a whole number" if kind is int else "a number"
         raise BenchError(f"{FILE}: {name} = {text}: {what} is wanted") from None
-    if value < 0 or (value == 0 and name not in MAY_BE_ZERO):
+    if result < 0 or (result == 0 and name not in MAY_BE_ZERO):
         raise BenchError(f"{FILE}: {name} = {text}: must be positive")
-    return value
+    return result
 
 
 def known(what, name, names):
@@ -68,7 +74,7 @@ def readBench(changes=(), file=FILE):
         bench[section] = {}
         for name, text in entries.items():
             words = text.replace(",", " ").split()
-            values = [number(name, word) for word in words]
+            values = [value(name, word) for word in words]
             if name not in LISTS and len(values) != 1:
                 raise BenchError(
                     f"{FILE}: {name} = {text}: one value is wanted")

@@ -34,6 +34,7 @@ def values(bench, flow):
         "kInlet": k,                                          # [m2/s2]
         "omegaInlet": math.sqrt(k)/(0.09**0.25*LENGTH*D),     # [1/s]
         "Ks": bench["walls"]["roughness"],                    # [m]
+        **flow.get("values", {}),
     }
 
 

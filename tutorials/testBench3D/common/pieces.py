@@ -189,16 +189,19 @@ def headFlow(bench, outlets):
     }
 
 
-def headWithTubes(bench, addTube):
+def headWithTubes(bench, addTube, closed=False, longest=math.inf):
     """Feed pipe, head, and a tube at each outlet; addTube(path) adds its legs
-    but the first, short one. The blocked one ends in a wall."""
+    but the first, short one. The blocked one ends in a wall, or has no tube if
+    it is closed. longest: of cells along the feed pipe [m]."""
     pipe, head, tubes = bench["feedPipe"], bench["head"], bench["outletTubes"]
     shape = headShape(bench)
 
     mesh = HexMesh()
     places = addHead(mesh, shape, pipe["length"], 2*bench["mesh"]["wallLayer"],
-                     cells(pipe["length"], 3*shape.h))
+                     cells(pipe["length"], min(3*shape.h, longest)))
     for number, first in enumerate(places):
+        if closed and number + 1 == head["blocked"]:
+            continue
         path = Path(*outletFrame(bench, number))
         path.line(tubes["diameter"], 4)
         addTube(path)
@@ -208,6 +211,57 @@ def headWithTubes(bench, addTube):
 
     return mesh, headFlow(
         bench, [name for name in mesh.patches if name != "fanInlet"])
+
+
+def bent(points, riser, radius):
+    """Places of a pipe that comes up from below along z, with all that is
+    further than `riser` below z = 0 on a bend, and what is beyond a quarter of
+    a circle horizontal: the flow comes along x."""
+    x, y, z = points.T
+    along = np.maximum(-z - riser, 0)
+    angle = np.minimum(along/radius, 0.5*math.pi)
+    beyond = along - radius*angle
+    turned = np.stack([
+        (radius + x)*np.cos(angle) - radius - beyond*np.sin(angle), y,
+        -riser - (radius + x)*np.sin(angle) - beyond*np.cos(angle)], axis=-1)
+    return np.where((along > 0)[:, np.newaxis], turned, points)
+
+
+def drillPipe(bench):
+    """The bench with the whole length of the drill's feed pipe, and with its
+    cells."""
+    own = bench["drill"]
+    length = (own["lengthBefore"] + 0.5*math.pi*own["bendRadius"]
+              + own["riser"])
+    return {**bench, "feedPipe": {**bench["feedPipe"], "length": length},
+            "mesh": {**bench["mesh"],
+                     **{name: own[name] for name in ("across", "along")}}}
+
+
+def drill(bench):
+    """Feed pipe with a bend, head, tubes; a blocked outlet is closed where its
+    tube would begin."""
+    own, bench = bench["drill"], drillPipe(bench)
+    if own["bendRadius"] < bench["feedPipe"]["diameter"]:
+        raise ValueError("drill.bendRadius: one diameter of the feed pipe at "
+                         "least")
+    mesh, flow = headWithTubes(bench, shortTubes(bench), True,
+                               math.radians(10)*own["bendRadius"])
+    mesh.points = [bent(points, own["riser"], own["bendRadius"])
+                   for points in mesh.points]
+    level = -own["riser"] - own["bendRadius"]
+    start = -own["bendRadius"] - own["lengthBefore"]
+    diameter = bench["feedPipe"]["diameter"]
+    beside, up, along = 0.02*diameter, (0, 0, 1), (1, 0, 0)
+    flow["stations"] = [
+        ("fan", (start + beside, 0, level), along, diameter),
+        ("beforeBend", (-own["bendRadius"] - beside, 0, level), along, diameter),
+        ("afterBend", (0, 0, -own["riser"] + beside), up, diameter),
+        ("underHead", (0, 0, -beside), up, diameter)]
+    flow["outlets"] = ["fanInlet", *flow["outlets"]]
+    flow["values"] = {name: own[name] for name in (
+        "fanPressure", "fanFlow", "endTime")}
+    return mesh, flow
 
 
 def shortTubes(bench):
@@ -247,4 +301,4 @@ def wholeBench(bench):
 
 PIECES = {f.__name__: f for f in (
     measuringTube, periodicTube, periodicTubeLES, bend, distributionHead,
-    wholeBench)}
+    wholeBench, drill)}
