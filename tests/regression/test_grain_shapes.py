@@ -3,6 +3,8 @@
 orientation, and contact by their own shape."""
 
 import re
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +16,12 @@ from bodyCase import BodyCase
 from boxMesh import uniform
 from fallingGrain import MU, RHO, falling_grain, limit, terminal_velocity
 from unresolvedBox import GRAINS, grain_box, momentum, velocities
+
+sys.path.insert(0, str(Path(__file__).parents[1]/"benchmarks"))
+
+from report import Report  # noqa: E402
+
+spheroidDrag = Report.load(Path(__file__).parents[1]/"benchmarks/spheroid")
 
 # Wheat as in etc/grains: semi-axes [m], density [kg/m3]
 WHEAT, WHEAT_DENSITY = np.array([3.54e-3, 1.33e-3, 1.21e-3]), 1240
@@ -82,6 +90,17 @@ def test_wheat_falls_by_its_orientation(axis, turn, tmp_path):
     assert speed == pytest.approx(expected, rel=0.01)
     if axis == 2:
         assert 6.31 < speed < 8.63
+
+
+@pytest.mark.parametrize("direction", spheroidDrag.STOKES)
+def test_drag_of_a_resolved_spheroid_and_by_the_law(direction, tmp_path):
+    """Both in Stokes flow, aspect ratio 2.5, against Oberbeck (1876); the
+    resolved one has 7 cells per diameter of the sphere of its volume."""
+    exact = spheroidDrag.STOKES[direction]
+    law = spheroidDrag.by_law(tmp_path, direction, 1e-6, "ellipsoid")
+    assert law == pytest.approx(exact, rel=1e-4)
+    _, resolved = spheroidDrag.in_stokes_flow(tmp_path, direction, 32, 7)
+    assert resolved == pytest.approx(exact, rel=0.015)
 
 
 def shear_case(folder, name, form, angle, steps, G=1.0, model="ellipsoid"):
