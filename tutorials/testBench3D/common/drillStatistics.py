@@ -5,7 +5,8 @@
     run.shares()["variation"]         # (value, lower, upper end of 95 %)
 
 All intervals are of 95 %. Those of coefficients of variation are bootstraps of
-blocks of 0.25 s, longer than what grains that follow each other have in common.
+blocks of 0.25 s, or of twenty blocks in shorter runs: grains that follow each
+other have the pulses of the roller and eddies in common.
 """
 
 import benchPlots as bp
@@ -60,7 +61,7 @@ class Drill:
 
     def blocks(self):
         """(blocks, outlets) numbers of grains that have left."""
-        number = max(2, int((self.end - self.start)/BLOCK))
+        number = max(20, int((self.end - self.start)/BLOCK))
         edges = np.linspace(self.start, self.end + 1e-9, number + 1)
         return np.stack([np.histogram(self.times(n), edges)[0]
                          for n in self.outlets()], axis=1)
