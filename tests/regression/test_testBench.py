@@ -28,6 +28,8 @@ def volume(log):
 
 @pytest.mark.parametrize("piece, changes", [
     ("distributionHead", ["head.blocked=3"]),
+    ("drill", ["head.blocked=3"]),
+    ("drill", ["drill.bendRadius=0.1", "drill.across=4", "head.height=0.12"]),
     ("distributionHead", ["head.outlets=17", "outletTubes.diameter=0.03"]),
     ("wholeBench", ["head.outlets=20", "outletTubes.diameter=0.03",
                     "outletTubes.length=0.1", "outletTubes.bendAngle=90"]),

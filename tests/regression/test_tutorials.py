@@ -79,6 +79,8 @@ def test_all_scripts_find_the_functions():
     ("grains", "air.tubeVelocity=-1", "must be positive"),
     ("grains", "-paralel", "'-paralel': -parallel or SECTION.NAME=VALUE"),
     ("headGrains", "head.blocked=13", "none of the 12 outlets"),
+    ("drill", "drill.seed=whaet", "did you mean wheat?"),
+    ("drill", "drill.bendRadius=0.05", "one diameter of the feed pipe"),
 ])
 def test_results_outlive_a_wrong_argument(tmp_path, piece, argument, message):
     shutil.copy(BENCH/"bench.ini", tmp_path)
