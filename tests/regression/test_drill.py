@@ -3,15 +3,16 @@
 
 import math
 import os
-import shutil
+import re
+import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-BENCH = Path(__file__).resolve().parents[2]/"tutorials/testBench3D"
-sys.path[:0] = [str(BENCH/"common"), str(BENCH.parent/"plotting")]
+from benchCase import BENCH, BenchCase
+
+sys.path.insert(0, str(BENCH.parent/"plotting"))
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 import drillStatistics  # noqa: E402
@@ -91,3 +92,15 @@ def test_chance(total, outlets):
     mean, low, high = drillStatistics.chance(total, outlets)
     assert mean == pytest.approx(math.sqrt(outlets/total), rel=0.04)
     assert low < mean < high
+
+
+@pytest.mark.parametrize("seed", ["wheat", "maize"])
+def test_seeds_that_are_no_spheres_fly_through_the_pipe(tmp_path, seed):
+    """Ellipsoids, not resolved, turned at random, as the roller drops them."""
+    case = BenchCase("drill", tmp_path, [
+        f"drill.seed={seed}", "drill.airAlone=0.02", "drill.endTime=0.05"])
+    subprocess.run([sys.executable, "setUp.py"], cwd=case.path, check=True)
+    log = case.run("foamRun")
+    assert len(re.findall(r"Body seed\d+ enters", log)) == pytest.approx(
+        0.03*12*140, rel=0.25)
+    assert "Stopped at" not in log
