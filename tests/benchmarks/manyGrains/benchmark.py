@@ -19,6 +19,10 @@ from timedRun import TimedRun  # noqa: E402
 SIZE, QUICK_SIZE = (64, 64, 128), (32, 32, 64)
 NUMBERS, QUICK_NUMBERS = (0, 10, 100, 1000, 10000), (0, 100, 1000)
 DIAMETER = 0.8
+# Scene with resolved spheres in one half, grains that are not in the other
+MIXED_SIZE, MIXED_DIAMETER = (48, 48, 96), 0.6
+MIXED_NUMBERS = (1000, 10000, 100000)
+SPHERES, SPHERE_DIAMETER = 8, 8
 PARTS = {
     "ms per step": "step", "bodies ms": "bodies", "pressure ms": "pressure",
     "momentum ms": "momentum",
@@ -69,7 +73,7 @@ def make(folder, size):
     return case
 
 
-def positions(size, number):
+def positions(size, number, diameter=DIAMETER):
     """Places that do not overlap: a lattice, displaced at random."""
     pitch = (np.prod(size)/number)**(1/3)
     n = [max(1, int(np.ceil(side/pitch))) for side in size]
@@ -78,7 +82,7 @@ def positions(size, number):
     random = np.random.default_rng(1)
     chosen = lattice[random.permutation(len(lattice))[:number]]
     step = np.array(size)/n
-    jitter = random.uniform(-0.5, 0.5, chosen.shape)*(step - 1.1*DIAMETER)
+    jitter = random.uniform(-0.5, 0.5, chosen.shape)*(step - 1.1*diameter)
     return (chosen + 0.5)*step + jitter
 
 
@@ -97,6 +101,54 @@ def add_grains(case, size, number):
             velocity        (0 0.1 0.5);
         }}
     """, "contact { type softSphere; } coupling { type auto; }")
+
+
+def add_mixed(case, number):
+    """Resolved spheres in the upper half, grains that are not below."""
+    x, y, z = MIXED_SIZE
+    kinds = [("sphere", SPHERE_DIAMETER, 2, [
+        (x*(i + 0.5)/2, y*(j + 0.5)/2, z*(0.62 + 0.22*k))
+        for i in (0, 1) for j in (0, 1) for k in (0, 1)
+    ])]
+    if number:
+        below = positions((x, y, 0.46*z), number, MIXED_DIAMETER)
+        kinds.append(("grain", MIXED_DIAMETER, 1000, below))
+    text = ""
+    for name, diameter, ratio, places in kinds:
+        lines = "\n".join("({:.9g} {:.9g} {:.9g})".format(*p) for p in places)
+        (case.path/f"constant/{name}s").write_text(f"(\n{lines}\n)\n")
+        text += f"""
+            {name}
+            {{
+                shape           {{ type sphere; radius {diameter/2}; }}
+                densityRatio    {ratio};
+                positionsFile   "constant/{name}s";
+                velocity        (0 0.1 0.5);
+            }}
+        """
+    case.bodies(text, "contact { type softSphere; } coupling { type auto; }")
+
+
+def timed_mixed(mesh, number, ranks):
+    case = BodyCase(mesh, mesh.path.parent, f"mixed{number}_{ranks}")
+    add_mixed(case, number)
+    if ranks > 1:
+        case.decompose(ranks, (1, 1, ranks))
+    return TimedRun(
+        case, ["foamRun", "-solver", "immersedFluid"],
+        f"{SPHERES} spheres, {number} grains, {ranks} rank{'s'*(ranks > 1)}",
+        MIXED_DIAMETER, int(np.prod(MIXED_SIZE)), ranks,
+    )
+
+
+def mixed_rows(folder):
+    """Resolved spheres and grains that are not in one scene."""
+    mesh = make(folder/"mixed", MIXED_SIZE)
+    for ranks in (1, 2):
+        for number in (0, *MIXED_NUMBERS):
+            run = timed_mixed(mesh, number, ranks)
+            yield run.row("mixed, ms per step", run.step)
+            yield run.row("mixed, outer iterations", run.outers)
 
 
 def timed(mesh, size, number, ranks):
@@ -125,6 +177,8 @@ def rows(folder, quick):
                                       run.parts):
                     yield run.row(f"{name} ms", time)
                 yield run.row("outer iterations", run.outers)
+    if not quick:
+        yield from mixed_rows(folder)
 
 
 def draw(rows, file):
