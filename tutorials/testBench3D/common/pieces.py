@@ -260,7 +260,7 @@ def drill(bench):
         ("underHead", (0, 0, -beside), up, diameter)]
     flow["outlets"] = ["fanInlet", *flow["outlets"]]
     flow["values"] = {name: own[name] for name in (
-        "fanPressure", "fanFlow", "endTime")}
+        "fanPressure", "fanFlow", "endTime", "timeStep")}
     return mesh, flow
 
 

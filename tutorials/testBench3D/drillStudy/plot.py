@@ -49,6 +49,7 @@ def main():
     ax.set(yticks=y, yticklabels=[label for label, _ in found], xlim=(0, None),
            xlabel="coefficient of variation of the outlets' shares [%]")
     ax.legend()
+    ax.margins(y=0.15)
     gp.save(figure, here/"plots/sweep.png")
     print("".ljust(26), *(name[:9].rjust(9) for name in COLUMNS))
     for label, row in found:
