@@ -13,6 +13,7 @@ sys.path.insert(0, str(here.parent/"common"))
 import numpy as np
 from benchPlots import gp, plt
 from drillStatistics import Drill
+from grainfoam.study import analysis
 
 PLANES = ("afterBend", "underHead")
 
@@ -123,9 +124,10 @@ def spacing(run, file):
     rows, numbers = run.spacing(), np.array(run.outlets())
     for k, (column, label) in enumerate(((1, "doubles, up to 0.5"),
                                          (2, "misses, above 1.5"))):
-        p = rows[:, column]
+        p, number = np.nan_to_num(rows[:, column]), np.maximum(rows[:, 3], 1)
+        ends = [analysis.share_interval(a*n, n) for a, n in zip(p, number)]
         right.bar(numbers + 0.4*k - 0.2, 100*p, 0.38, label=label, capsize=2,
-                  yerr=196*np.sqrt(p*(1 - p)/np.maximum(rows[:, 3], 1)))
+                  yerr=100*np.abs(np.array(ends).T - p))
     for value in (1 - np.exp(-0.5), np.exp(-1.5)):
         right.axhline(100*value, color="k", linestyle="--", linewidth=1)
     right.set(xlabel="outlet", ylabel="share of the intervals [%]",
