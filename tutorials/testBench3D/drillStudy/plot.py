@@ -31,7 +31,7 @@ def states():
         changed = [text.format(float(row[name]))
                    for name, text in LABELS.items() if row[name] != first[name]]
         if row["cv"]:
-            found.append((", ".join(changed) or "as in bench.ini", {
+            found.append((", ".join(changed) or "nothing changed", {
                 name: float(row[name]) for name in COLUMNS}))
     return found
 
