@@ -89,7 +89,7 @@ def report(case):
         f"outlets, shares {count[count > 0].min()/N:.4f} to "
         f"{count.max()/N:.4f} +- {uncertainty(count).max():.4f}",
         f"  coefficient of variation {variation(count):.2%} (by chance alone "
-        f"{np.sqrt((n - 1)/N):.2%}); of the air {variation(air):.2%}; "
+        f"{np.sqrt(n/N):.2%}); of the air {variation(air):.2%}; "
         f"run time {bp.seconds(case):.0f} s"]
     if back:
         lines.append(f"  {back} fell back through the feed pipe")
