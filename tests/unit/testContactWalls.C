@@ -158,49 +158,6 @@ TEST_CASE("Rolling and sticking on a slope", "[contact]")
 }
 
 
-TEST_CASE("Inside a tube made of flat faces", "[contact]")
-{
-    // A ball that slides round without friction keeps its speed
-    const label n = 48;
-    Scene scene(contact(0.9, 0.01));
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar a = 2*pi*i/n, b = 2*pi*(i + 1)/n;
-        const point A(2*Foam::cos(a), 2*Foam::sin(a), 0);
-        const point B(2*Foam::cos(b), 2*Foam::sin(b), 0);
-        for (label k = -4; k < 4; ++k)
-        {
-            const vector z(0, 0, 0.25*k), dz(0, 0, 0.25);
-            scene.addWall({A + z, B + z, B + z + dz, A + z + dz});
-        }
-    }
-    // Where the force of the wall turns it
-    scene.add(sphere, {0, -1.4988, 0.01}, {1, 0, 0});
-
-    scalar fastest = 0;
-    vector last(Zero);
-    scalar jump = 0;
-    for (label i = 0; i < 4000; ++i)
-    {
-        scene.step(0.002);
-        const vector n(normalised(scene.bodies[0].contactForce().linear));
-        if (i > 500)
-        {
-            CHECK(mag(n) > 0);
-            jump = max(jump, mag(n - last));
-            fastest = max(fastest, mag(scene.bodies[0].state().U));
-        }
-        last = n;
-    }
-
-    // The faces are 7.5 degrees (0.131) apart, and a face is crossed in 98
-    // steps
-    CHECK(jump < 0.004);
-    CHECK(mag(scene.bodies[0].state().U) == Approx(1).epsilon(0.02));
-    CHECK(fastest < 1.02);
-}
-
-
 TEST_CASE("Corners and edges of walls", "[contact]")
 {
     Scene scene(contact(0.8, 0.005));

@@ -12,85 +12,10 @@ const Foam::scalar sameWall = 0.7;
 //- Cosine above which they are in one plane
 const Foam::scalar samePlane = 1 - 1e-8;
 
+//- How far behind a face a smooth wall may be, over the radius of the body
+const Foam::scalar mostBehind = 0.1;
+
 } // End anonymous namespace
-
-
-Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
-(
-    const immersedBody& body,
-    const UList<facet>& facets
-) const
-{
-    const point& centre = body.state().position;
-    const scalar R = body.shape().boundingRadius();
-    const bool round = body.shape().round();
-    const bool support = body.shape().hasSupport();
-    pointField surface
-    (
-        round || support ? pointField() : contactPoint::surface(body)
-    );
-
-    List<contactPoint> result(facets.size());
-
-    forAll(facets, i)
-    {
-        const facet& f = facets[i];
-        contactPoint& c = result[i];
-
-        c.patch = f.patch;
-        c.wallU = f.U;
-        if (round)
-        {
-            // Most are too far to be touched: no need to know how far
-            if (f.leastDistance(centre) > 2*R)
-            {
-                continue;
-            }
-
-            const vector apart
-            (
-                cmptMultiply(centre - f.nearest(centre), inSpace_)
-            );
-            const scalar distance = mag(apart);
-
-            // Not one that is seen from behind
-            if ((apart & f.normal) > 0)
-            {
-                c.gap = distance - R;
-                c.normal = -apart/distance;
-                c.position = centre - apart;
-            }
-            continue;
-        }
-
-        // Corners of the body on the face, and points of the face in the body
-        pointField x(f.points);
-        x.append(f.nearest(centre));
-        scalarField gaps(x.size());
-        body.distance(x, gaps);
-        if (support)
-        {
-            surface = pointField(1, body.support(-f.normal));
-        }
-
-        for (const point& y : surface)
-        {
-            const point foot(f.nearest(y));
-            const scalar height = (y - foot) & f.normal;
-
-            if (mag(y - foot - height*f.normal) < 1e-6*R)
-            {
-                x.append(foot);
-                gaps.append(height);
-            }
-        }
-
-        c.average(x, gaps, body.shape().width());
-        c.normal = -f.normal;
-    }
-
-    return result;
-}
 
 
 Foam::DynamicList<Foam::label> Foam::wallFacets::concaveNeighbours
@@ -191,7 +116,10 @@ void Foam::wallFacets::blend
     normal += weight*contact.normal;
     U += weight*first.U;
 
-    contact.gap += rise/sum;
+    // In the middle of a face with two neighbours, where it is most behind, the
+    // smooth wall is range/4 behind. Beside faces larger than the body its
+    // centre would leave the mesh there.
+    contact.gap += rise/sum*min(scalar(1), 4*mostBehind*R/range);
     contact.normal = normal/mag(normal);
     contact.wallU = U/sum;
     contact.position = centre + (R + contact.gap)*contact.normal;
