@@ -4,7 +4,9 @@
 import numpy as np
 import pytest
 
+import boxMesh
 from bodyCase import BodyCase
+from boxMesh import uniform
 from foamCase import FoamError
 from openTube import DISC, DT, H, LENGTH, RADIUS, open_tube, passage, flow_rate
 
@@ -181,3 +183,42 @@ def test_bodies_leave_a_window_at_both_ends(tubes, tmp_path):
     assert slow.position[0] == pytest.approx(
         -RADIUS + 1.2*slow.time, abs=H
     )
+
+
+def test_an_unresolved_grain_feels_walls_until_it_has_left(tmp_path):
+    """It touches the outlet, along which it moves from wall to wall."""
+    case = BodyCase("box", tmp_path)
+    case.conditions(
+        "walls { type noSlip; } outlet { type zeroGradient; }",
+        "walls { type zeroGradient; } "
+        "outlet { type fixedValue; value uniform 0; }",
+    )
+    boxMesh.write(
+        case, uniform(0, 1, 5), uniform(0, 1, 5), uniform(0, 1, 5),
+        {"outlet": "x+", "walls": "x- y- y+ z- z+"},
+    )
+    case.run("blockMesh")
+    case.bodies("""
+        grain
+        {
+            shape { type sphere; radius 0.02; }
+            densityRatio 1e5;
+            position (0.985 0.5 0.5);
+            velocity (0.01 1 0);
+        }
+    """, REMOVE + """
+        coupling { type unresolved; }
+        contact { type softSphere; restitution 1; friction 0; }
+    """)
+    case.controls(endTime=2)
+    case.solve()
+
+    (event,) = passage(case)
+    assert (event.what, event.where) == ("leaves", "outlet")
+    assert 1 < event.position[0] < 1.001
+    assert event.time == pytest.approx(1.5, abs=0.1)
+
+    # Up, back, and up again
+    y = case.table("motion")["position_y"]
+    assert y.max() == pytest.approx(0.98, abs=0.01)
+    assert y.min() == pytest.approx(0.02, abs=0.01)

@@ -92,7 +92,7 @@ void Foam::immersedBody::restart()
 bool Foam::immersedBody::isFree() const
 {
     return
-        passing_.empty() && !asleep_
+        (passing_.empty() || !resolved_) && !asleep_
      && (cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0);
 }
 
