@@ -48,6 +48,14 @@ def set_smoother(case):
     )
 
 
+def set_over_relaxed(case):
+    """After set_smoother(): fewer sweeps where the flow is viscous."""
+    case.replace(
+        "system/fvSolution", "symGaussSeidel;",
+        "symGaussSeidel;\n        overRelaxation  yes;",
+    )
+
+
 def set_orthogonal(case):
     """No corrections for cells that are not orthogonal."""
     schemes = case.path/"system/fvSchemes"

@@ -3,164 +3,19 @@
 #include "boxMesh.H"
 #include "fusedKernels.H"
 #include "linearTransport.H"
-#include "poissonProblem.H"
+#include "randomFlow.H"
 #include "smoothedFlux.H"
 #include "vectorSmoothSolver.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
-#include "linear.H"
-#include "OSspecific.H"
 
 using namespace Foam;
 using testTools::dict;
+using testTools::plainForms;
+using testTools::randomFlow;
 
 namespace
 {
-
-//- Folder of a case with system/fvSchemes, as long as this is there
-class schemesCase
-{
-public:
-
-    const fileName folder;
-
-    explicit schemesCase(const std::string& snGrad)
-    :
-        folder("/tmp/grainFoamUnitTests." + Foam::name(label(pid())))
-    {
-        mkDir(folder/"system");
-
-        std::ofstream(folder/"system"/"fvSchemes")
-            << "FoamFile { version 2.0; format ascii; class dictionary;"
-            << " object fvSchemes; }\n"
-            << "divSchemes { default Gauss linear; }\n"
-            << "laplacianSchemes { default Gauss linear " << snGrad << "; }\n"
-            << "interpolationSchemes { default linear; }\n"
-            << "gradSchemes { default Gauss linear; }\n"
-            << "snGradSchemes { default " << snGrad << "; }\n";
-    }
-
-    ~schemesCase()
-    {
-        rmDir(folder);
-    }
-};
-
-
-//- Read the schemes of a mesh that is not read itself
-void readSchemes(fvMesh& mesh)
-{
-    #if OPENFOAM < 2212
-    mesh.fvSchemes::readOpt() = IOobject::MUST_READ;
-    #else
-    mesh.fvSchemes::readOpt(IOobject::MUST_READ);
-    #endif
-    mesh.fvSchemes::read();
-}
-
-
-//- The plain forms, as long as this is there
-struct plainForms
-{
-    plainForms()
-    {
-        fusedKernels::active = 0;
-    }
-
-    ~plainForms()
-    {
-        fusedKernels::active = 1;
-    }
-};
-
-
-//- A box with all kinds of sides, of which none is at a right angle, with
-//  random fields, on all processors
-struct randomFlow
-{
-    schemesCase files;
-    Time time;
-    std::unique_ptr<fvMesh> mesh;
-    testTools::RandomNumbers random;
-    volScalarField p, tau;
-    volVectorField U, gradP;
-    surfaceScalarField phi;
-
-    explicit randomFlow(const std::string& snGrad)
-    :
-        files(snGrad),
-        time
-        (
-            dict("deltaT 1; writeFrequency 1;"),
-            files.folder.path(),
-            files.folder.name()
-        ),
-        random(1 + Pstream::myProcNo()),
-        p(make<scalar>("p", sqr(dimVelocity))),
-        tau(make<scalar>("tau", dimTime)),
-        U(make<vector>("U", dimVelocity)),
-        gradP(make<vector>("gradP", dimAcceleration)),
-        phi("phi", linearInterpolate(U) & mesh->Sf())
-    {}
-
-    scalar number()
-    {
-        return random.number();
-    }
-
-    void draw(scalar& value)
-    {
-        value = number();
-    }
-
-    void draw(vector& value)
-    {
-        value = vector(number(), number(), number());
-    }
-
-    template<class Type>
-    GeometricField<Type, fvPatchField, volMesh> make
-    (
-        const word& name,
-        const dimensionSet& dimensions
-    )
-    {
-        testTools::boxMesh box;
-
-        box.x = {{
-            testTools::graded(7, 3, 1.2),
-            testTools::graded(6, 2, 0.8),
-            testTools::graded(4, 1, 1)
-        }};
-        box.sides = {{"zz", "fz", "cc"}};
-        box.seed = 3;
-        box.shear = 0.4;
-        box.processor = testTools::processors(1, box);
-
-        if (!mesh)
-        {
-            mesh = box.make(time);
-            readSchemes(*mesh);
-        }
-
-        GeometricField<Type, fvPatchField, volMesh> field
-        (
-            IOobject(name, "0", *mesh),
-            *mesh,
-            dimensioned<Type>(dimensions, Zero),
-            box.conditions(*mesh)
-        );
-
-        for (Type& value : field.primitiveFieldRef())
-        {
-            draw(value);
-        }
-        field.correctBoundaryConditions();
-
-        return field;
-    }
-};
-
 
 //- Largest difference of two fields on the faces of a mesh, on this processor
 scalar difference(const surfaceScalarField& a, const surfaceScalarField& b)

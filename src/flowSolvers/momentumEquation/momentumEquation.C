@@ -123,7 +123,7 @@ void Foam::momentumEquation::solveLinear(const bool first)
     const auto solve = [&](const dictionary& controls)
     {
         return vectorSmoothSolver::serves(controls)
-          ? vectorSmoothSolver(eqn, U_).solve(controls)
+          ? vectorSmoothSolver::New(eqn, U_, controls)->solve(controls)
           : eqn.solve(controls);
     };
 

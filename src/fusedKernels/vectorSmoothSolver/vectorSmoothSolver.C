@@ -14,6 +14,7 @@ namespace
 
 Foam::vectorSmoothSolver::vectorSmoothSolver
 (
+    const word& name,
     const fvVectorMatrix& matrix,
     volVectorField& psi
 )
@@ -23,7 +24,7 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     source_(matrix.source()),
     work_(matrix.diag().size()),
     residual_(matrix.diag().size()),
-    performance_("smoothSolver", psi.name())
+    performance_(name, psi.name())
 {
     forAll(psi.boundaryField(), patchi)
     {
@@ -60,18 +61,6 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
             values[celli] = cmptMultiply(solved_, values[celli]);
         }
     }
-}
-
-
-bool Foam::vectorSmoothSolver::serves(const dictionary& controls)
-{
-    return fusedKernels::active
-        && controls.lookupOrDefault<word>("type", "segregated") == "segregated"
-        && controls.lookupOrDefault<word>("solver", "none") == "smoothSolver"
-        && !controls.isDict("smoother")
-        && controls.lookupOrDefault<word>("smoother", "none")
-        == "symGaussSeidel"
-        && controls.lookupOrDefault<label>("nSweeps", 1) > 0;
 }
 
 

@@ -4,7 +4,7 @@
 import math
 
 import numpy as np
-from measure import Run, set_smoother, set_stokes, set_viscosity
+from measure import Run, set_over_relaxed, set_smoother, set_stokes, set_viscosity
 from slidingBox import (
     centres, set_stress, set_velocity, sliding_box, stress,
 )
@@ -70,6 +70,7 @@ def case_of(folder, name, n, dims, bodies, strains, contact=""):
     set_stokes(case)
     set_viscosity(case, NU)
     set_smoother(case)
+    set_over_relaxed(case)
     x = centres(cells, (1,)*dims)
     velocity = 0*x
     velocity[:, 0] = x[:, 1] - 0.5

@@ -8,7 +8,7 @@ import numpy as np
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import graded
-from measure import Run, set_box
+from measure import Run, set_box, set_over_relaxed
 
 # Densities [kg/m3] of fluid and sphere, viscosity [Pa s], largest velocity
 # measured [m/s], time to a gap of about half a diameter [s]
@@ -59,6 +59,7 @@ def solve(folder, name, cells, whole):
     case = BodyCase("box", folder, f"{name}_D{cells}_{part}")
     n = mesh(case, cells, whole)
     set_box(case)
+    set_over_relaxed(case)
     case.replace(
         "constant/transportProperties", "0.1;", f"{mu/rho:.12g};"
     )
