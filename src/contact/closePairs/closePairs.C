@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "closePairs.H"
+#include "ListOps.H"
+#include "pointGrid.H"
+#include <algorithm>
 
 namespace
 {
@@ -43,55 +46,150 @@ void Foam::closePairs::add(const image& first, const image& second)
 }
 
 
-Foam::closePairs::closePairs
-(
-    const UList<point>& centres,
-    const UList<scalar>& radii,
-    const periodicity& periods
-)
+void Foam::closePairs::sortImages(const periodicity& periods)
 {
-    const scalar largest = radii.empty() ? 0 : max(radii);
-    const boundBox box(centres, false);
-    const vector span(box.span());
+    const scalar largest = max(radii_);
+    const vector span(boundBox(centres_, false).span());
     const direction along =
         span.x() >= max(span.y(), span.z()) ? 0 : span.y() >= span.z() ? 1 : 2;
 
-    DynamicList<image> images(centres.size());
-
-    forAll(centres, i)
+    forAll(centres_, i)
     {
         for
         (
             const periodicity::image& im
-          : periods.globalImages(centres[i], radii[i] + largest)
+          : periods.globalImages(centres_[i], radii_[i] + largest)
         )
         {
             const scalar lower =
-                centres[i][along] + im.shift[along] - radii[i];
+                centres_[i][along] + im.shift[along] - radii_[i];
 
-            images.append(image{i, im.shift, im.velocity, lower});
+            images_.append(image{i, im.shift, im.velocity, lower});
         }
     }
 
-    Foam::sort(images);
+    Foam::sort(images_);
+}
 
-    forAll(images, k)
+
+Foam::scalar Foam::closePairs::largestSmall() const
+{
+    scalarField radii(radii_);
+    scalar* const middle = radii.begin() + radii.size()/2;
+
+    std::nth_element(radii.begin(), middle, radii.end());
+
+    return 2*(*middle);
+}
+
+
+bool Foam::closePairs::overlap(const image& a, const image& b) const
+{
+    const vector apart
+    (
+        centres_[a.body] + a.shift - centres_[b.body] - b.shift
+    );
+
+    return mag(apart) < radii_[a.body] + radii_[b.body];
+}
+
+
+void Foam::closePairs::sweep
+(
+    const label k,
+    const UList<label>& list,
+    const label first,
+    DynamicList<label>& found
+) const
+{
+    const scalar upper = images_[k].lower + 2*radii_[images_[k].body];
+
+    for (label i = first; i < list.size(); ++i)
     {
-        const image& a = images[k];
-        const scalar upper = a.lower + 2*radii[a.body];
-
-        for (label l = k + 1; l < images.size() && images[l].lower < upper; ++l)
+        if (images_[list[i]].lower >= upper)
         {
-            const image& b = images[l];
-            const vector apart
-            (
-                centres[a.body] + a.shift - centres[b.body] - b.shift
-            );
+            break;
+        }
+        if (overlap(images_[k], images_[list[i]]))
+        {
+            found.append(list[i]);
+        }
+    }
+}
 
-            if (mag(apart) < radii[a.body] + radii[b.body])
+
+Foam::closePairs::closePairs
+(
+    const UList<point>& centres,
+    const UList<scalar>& radii,
+    const periodicity& periods,
+    const bool plainSweep
+)
+:
+    centres_(centres),
+    radii_(radii)
+{
+    if (centres.empty())
+    {
+        return;
+    }
+    sortImages(periods);
+
+    const scalar limit = plainSweep ? -1 : largestSmall();
+    const labelList all(identity(images_.size()));
+    DynamicList<label> small, large;
+    DynamicList<point> places;
+    scalar most = 0;
+
+    for (const label k : all)
+    {
+        const label i = images_[k].body;
+
+        if (radii[i] <= limit)
+        {
+            small.append(k);
+            places.append(centres[i] + images_[k].shift);
+            most = max(most, radii[i]);
+        }
+        else
+        {
+            large.append(k);
+        }
+    }
+
+    // Rounding of the places
+    const pointGrid grid(places, 2.001*most);
+    DynamicList<label> beside, found;
+    label nSmall = 0;
+
+    for (const label k : all)
+    {
+        found.clear();
+
+        if (nSmall < small.size() && small[nSmall] == k)
+        {
+            beside.clear();
+            grid.beside(places[nSmall], beside);
+
+            for (const label i : beside)
             {
-                add(a, b);
+                if (i > nSmall && overlap(images_[k], images_[small[i]]))
+                {
+                    found.append(small[i]);
+                }
             }
+            sweep(k, large, k - nSmall, found);
+            Foam::sort(found);
+            ++nSmall;
+        }
+        else
+        {
+            sweep(k, all, k + 1, found);
+        }
+
+        for (const label l : found)
+        {
+            add(images_[k], images_[l]);
         }
     }
 }

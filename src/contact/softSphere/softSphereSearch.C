@@ -152,7 +152,6 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
 
 bool Foam::contactModels::softSphere::apart
 (
-    const PtrList<immersedBody>& bodies,
     const label candidatei,
     const scalar h
 ) const
@@ -160,13 +159,11 @@ bool Foam::contactModels::softSphere::apart
     const candidate& c = candidates_[candidatei];
     const contactMover& a = movers_[c.a];
     const contactMover& b = movers_[c.b];
-    const scalar Ra = bodies[a.body].shape().boundingRadius();
-    const scalar Rb = bodies[b.body].shape().boundingRadius();
     const scalar speed =
         mag(a.state.U - b.state.U - c.velocity)
-      + Ra*mag(a.state.omega) + Rb*mag(b.state.omega);
+      + a.radius*mag(a.state.omega) + b.radius*mag(b.state.omega);
     const scalar reach =
-        Ra + Rb + max(0.5*h*speed, lubrication_.range(gaps_[candidatei].cell));
+        a.radius + b.radius + max(0.5*h*speed, lubrication_.range(gaps_[candidatei].cell));
 
     return
         magSqr(a.state.position - b.state.position - c.shift) > sqr(reach);

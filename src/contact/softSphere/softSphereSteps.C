@@ -11,14 +11,12 @@ void Foam::contactModels::softSphere::drift
 {
     for (contactMover& m : movers_)
     {
-        immersedBody& body = bodies[m.body];
-
         m.state.move(h, m.state.U - meshU, m.state.omega);
-        m.place(body);
 
-        if (!body.shape().round())
+        if (!m.round)
         {
-            m.inverseInertia = body.inverseInertia();
+            m.place(bodies[m.body]);
+            m.inverseInertia = bodies[m.body].inverseInertia();
         }
     }
 

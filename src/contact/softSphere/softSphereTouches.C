@@ -175,7 +175,7 @@ void Foam::contactModels::softSphere::addTouch
 
 void Foam::contactModels::softSphere::findTouches
 (
-    const PtrList<immersedBody>& bodies,
+    PtrList<immersedBody>& bodies,
     const wallFacets& walls,
     const scalar h,
     const scalar dt
@@ -187,11 +187,13 @@ void Foam::contactModels::softSphere::findTouches
     forAll(candidates_, i)
     {
         candidate& c = candidates_[i];
-        const immersedBody& a = bodies[movers_[c.a].body];
+        immersedBody& a = bodies[movers_[c.a].body];
         const label first = touches_.size();
 
         if (c.b < 0)
         {
+            movers_[c.a].place(a);
+
             const DynamicList<contactPoint> points
             (
                 walls.contacts(movers_[c.a].body, a)
@@ -203,9 +205,12 @@ void Foam::contactModels::softSphere::findTouches
                 addFilm(i, point);
             }
         }
-        else if (!apart(bodies, i, h))
+        else if (!apart(i, h))
         {
-            const immersedBody& b = bodies[movers_[c.b].body];
+            immersedBody& b = bodies[movers_[c.b].body];
+
+            movers_[c.a].place(a);
+            movers_[c.b].place(b);
 
             const contactPoint point(a, b, c.shift);
 

@@ -88,7 +88,13 @@ void Foam::bodyPassage::checkNames
     const PtrList<immersedBody>& bodies
 ) const
 {
-    wordList names;
+    // Most scenes have none, and may have many bodies
+    if (injectors_.empty())
+    {
+        return;
+    }
+
+    DynamicList<word> names(bodies.size() + injectors_.size());
 
     for (const immersedBody& body : bodies)
     {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pointGrid.H"
+
+Foam::label Foam::pointGrid::cube(const point& x, const direction along) const
+{
+    const scalar at = (x[along] - box_.min()[along])/side_;
+
+    return min(max(label(at), label(0)), n_[along] - 1);
+}
+
+
+Foam::pointGrid::pointGrid(const UList<point>& points, const scalar side)
+:
+    box_(points, false),
+    side_(max(side, VSMALL)),
+    n_(label(1)),
+    points_(points.size()),
+    starts_(2, label(0))
+{
+    if (points.empty())
+    {
+        return;
+    }
+
+    const vector span(box_.span());
+
+    // Not many more cubes than points
+    auto cubes = [&](const scalar s)
+    {
+        return (1 + span.x()/s)*(1 + span.y()/s)*(1 + span.z()/s);
+    };
+    while (cubes(side_) > 4.*points.size() + 8)
+    {
+        side_ *= 1.5;
+    }
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        n_[d] = 1 + label(span[d]/side_);
+    }
+
+    // Counting sort
+    labelList cubeOf(points.size());
+
+    starts_.setSize(n_[0]*n_[1]*n_[2] + 1);
+    starts_ = 0;
+
+    forAll(points, i)
+    {
+        const point& x = points[i];
+
+        cubeOf[i] = cube(x, 0) + n_[0]*(cube(x, 1) + n_[1]*cube(x, 2));
+        ++starts_[cubeOf[i] + 1];
+    }
+    for (label i = 1; i < starts_.size(); ++i)
+    {
+        starts_[i] += starts_[i - 1];
+    }
+
+    labelList next(starts_);
+
+    forAll(points, i)
+    {
+        points_[next[cubeOf[i]]++] = i;
+    }
+}
+
+
+void Foam::pointGrid::beside(const point& x, DynamicList<label>& found) const
+{
+    const label xi = cube(x, 0), yi = cube(x, 1), zi = cube(x, 2);
+    const label low = max(xi - 1, label(0)), high = min(xi + 1, n_[0] - 1);
+
+    for (label k = max(zi - 1, label(0)); k <= min(zi + 1, n_[2] - 1); ++k)
+    {
+        for (label j = max(yi - 1, label(0)); j <= min(yi + 1, n_[1] - 1); ++j)
+        {
+            const label row = n_[0]*(j + n_[1]*k);
+
+            for (label i = starts_[row + low]; i < starts_[row + high + 1]; ++i)
+            {
+                found.append(points_[i]);
+            }
+        }
+    }
+}
