@@ -81,6 +81,28 @@ TEST_CASE("Oblique collision of a pair", "[contact]")
 }
 
 
+TEST_CASE("One that is hit meets others in the same step", "[contact]")
+{
+    // It goes further than any of the three would have gone, and than twice
+    // their mean
+    const auto run = [](const scalar dt, const label n)
+    {
+        Scene scene("restitution 1; friction 0; collisionTime 0.001;");
+        const std::string ball("type sphere; radius 0.1;");
+        scene.add(ball, {0, 0, 0}, {10, 0, 0}, Zero, "densityRatio 1000;");
+        scene.add(ball, {0.25, 0, 0}, {0, 0, 0}, Zero, "densityRatio 10;");
+        scene.add(ball, {1.2, 0, 0}, {0, 0, 0}, Zero, "densityRatio 10;");
+        scene.run(dt, n);
+
+        return scene.bodies[2].state().U.x();
+    };
+    const scalar inSmallSteps = run(0.001, 60);
+
+    CHECK(inSmallSteps > 15);
+    CHECK(run(0.06, 1) == Approx(inSmallSteps).epsilon(0.01));
+}
+
+
 TEST_CASE("Contact with a body that does not give way", "[contact]")
 {
     Scene scene(contact(0.7, 0.01));

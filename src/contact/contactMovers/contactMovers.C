@@ -19,18 +19,14 @@ Foam::label Foam::contactMovers::moverOf
 }
 
 
-bool Foam::contactMovers::search
+Foam::scalarField Foam::contactMovers::ways
 (
     const PtrList<immersedBody>& bodies,
-    wallFacets& walls,
-    const periodicity& periods,
     const scalar dt,
-    const UList<scalar>& aroundBody,
-    const UList<scalar>& aroundWall
+    const vector& meshU
 )
 {
-    pointField centres(bodies.size());
-    scalarField ways(bodies.size()), radii(bodies.size()), reach(bodies.size());
+    scalarField lengths(bodies.size());
 
     forAll(bodies, i)
     {
@@ -40,20 +36,55 @@ bool Foam::contactMovers::search
         const scalar spin =
             shape.round() ? 0 : max(mag(old.omega), mag(end.omega));
 
-        centres[i] = old.position;
-        ways[i] =
-            dt*(max(mag(old.U), mag(end.U)) + shape.boundingRadius()*spin);
+        lengths[i] = dt
+           *(
+                max(speed(old.U, meshU), speed(end.U, meshU))
+              + shape.boundingRadius()*spin
+            );
     }
 
-    // One that is hit may go as far as the fastest
-    const scalar furthest = bodies.empty()
-      ? 0
-      : 2*max(ways) + dt*mag(periods.slideVelocity());
+    return lengths;
+}
+
+
+bool Foam::contactMovers::within(UList<scalar>& furthest) const
+{
+    bool all = true;
+
+    for (const contactMover& m : *this)
+    {
+        if (m.way > furthest[m.body])
+        {
+            furthest[m.body] = 2*m.way;
+            all = false;
+        }
+    }
+
+    return all;
+}
+
+
+bool Foam::contactMovers::search
+(
+    const PtrList<immersedBody>& bodies,
+    wallFacets& walls,
+    const periodicity& periods,
+    const scalar dt,
+    const UList<scalar>& furthest,
+    const UList<scalar>& aroundBody,
+    const UList<scalar>& aroundWall
+)
+{
+    pointField centres(bodies.size());
+    scalarField radii(bodies.size()), reach(bodies.size());
+    const scalar slide = dt*mag(periods.slideVelocity());
 
     forAll(bodies, i)
     {
-        const scalar radius = bodies[i].shape().boundingRadius() + furthest;
+        const scalar radius =
+            bodies[i].shape().boundingRadius() + furthest[i] + slide;
 
+        centres[i] = bodies[i].oldState().position;
         radii[i] = radius + aroundBody[i];
         reach[i] = bodies[i].isFree() ? radius + aroundWall[i] : 0;
     }

@@ -68,7 +68,7 @@ void Foam::contactModels::nonsmoothContact::advance
 {
     begin(bodies);
 
-    if (!search(bodies, walls, periods, dt))
+    if (!search(bodies, walls, periods, dt, meshU))
     {
         return;
     }

@@ -31,7 +31,8 @@ bool Foam::contactModels::nonsmoothContact::search
     const PtrList<immersedBody>& bodies,
     wallFacets& walls,
     const periodicity& periods,
-    const scalar dt
+    const scalar dt,
+    const vector& meshU
 )
 {
     scalarField around(bodies.size());
@@ -41,7 +42,17 @@ bool Foam::contactModels::nonsmoothContact::search
         around[i] = margin*bodies[i].shape().boundingRadius();
     }
 
-    if (!movers_.search(bodies, walls, periods, dt, around, around))
+    // One that is hit may go as far as the fastest
+    const scalar furthest = 2*max(contactMovers::ways(bodies, dt, meshU));
+
+    if
+    (
+        !movers_.search
+        (
+            bodies, walls, periods, dt,
+            scalarField(bodies.size(), furthest), around, around
+        )
+    )
     {
         return false;
     }

@@ -119,22 +119,23 @@ Foam::contactModels::softSphere::coefficients
 }
 
 
-void Foam::contactModels::softSphere::advance
+bool Foam::contactModels::softSphere::goThrough
 (
     PtrList<immersedBody>& bodies,
     const UList<scalar>& h,
     wallFacets& walls,
     const periodicity& periods,
     const scalar dt,
-    const vector& meshU
+    const vector& meshU,
+    const UList<scalar>& furthest
 )
 {
     begin(bodies);
     roughness_.begin(bodies);
 
-    if (!search(bodies, h, walls, periods, dt))
+    if (!search(bodies, h, walls, periods, dt, furthest))
     {
-        return;
+        return false;
     }
 
     const label n = max
@@ -153,6 +154,33 @@ void Foam::contactModels::softSphere::advance
         drift(bodies, 0.5*subDt, meshU);
     }
     sumSprings(subDt);
+
+    return true;
+}
+
+
+void Foam::contactModels::softSphere::advance
+(
+    PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
+    wallFacets& walls,
+    const periodicity& periods,
+    const scalar dt,
+    const vector& meshU
+)
+{
+    // Those that were hit and went further than the search has known may have
+    // met others
+    scalarField furthest(likelyWays(bodies, dt, meshU));
+
+    do
+    {
+        if (!goThrough(bodies, h, walls, periods, dt, meshU, furthest))
+        {
+            return;
+        }
+    }
+    while (!movers_.within(furthest));
 
     movers_.setContact(bodies, dt);
     remember();

@@ -2,13 +2,35 @@
 
 #include "softSphere.H"
 
+Foam::scalarField Foam::contactModels::softSphere::likelyWays
+(
+    const PtrList<immersedBody>& bodies,
+    const scalar dt,
+    const vector& meshU
+)
+{
+    scalarField lengths(contactMovers::ways(bodies, dt, meshU));
+    const scalar mean = lengths.empty() ? 0 : average(lengths);
+
+    forAll(lengths, i)
+    {
+        lengths[i] =
+            1.25*max(lengths[i], mean)
+          + 0.25*bodies[i].shape().boundingRadius();
+    }
+
+    return lengths;
+}
+
+
 bool Foam::contactModels::softSphere::search
 (
     PtrList<immersedBody>& bodies,
     const UList<scalar>& h,
     wallFacets& walls,
     const periodicity& periods,
-    const scalar dt
+    const scalar dt,
+    const UList<scalar>& furthest
 )
 {
     scalarField range(bodies.size());
@@ -18,7 +40,13 @@ bool Foam::contactModels::softSphere::search
         range[i] = lubrication_.range(h[i]);
     }
 
-    if (!movers_.search(bodies, walls, periods, dt, 0.5*range, range))
+    if
+    (
+        !movers_.search
+        (
+            bodies, walls, periods, dt, furthest, 0.5*range, range
+        )
+    )
     {
         return false;
     }

@@ -12,6 +12,7 @@ void Foam::contactModels::softSphere::drift
     for (contactMover& m : movers_)
     {
         m.state.move(h, m.state.U - meshU, m.state.omega);
+        m.way += h*contactMovers::speed(m.state.U, meshU);
 
         if (!m.round)
         {
