@@ -11,12 +11,17 @@ Foam::scalarField Foam::contactModels::softSphere::likelyWays
 {
     scalarField lengths(contactMovers::ways(bodies, dt, meshU));
     const scalar mean = lengths.empty() ? 0 : average(lengths);
+    const scalar largest = lengths.empty() ? 0 : max(lengths);
 
+    // One that is hit may go as far as the fastest, which costs little where
+    // that is less than a radius
     forAll(lengths, i)
     {
-        lengths[i] =
-            1.25*max(lengths[i], mean)
-          + 0.25*bodies[i].shape().boundingRadius();
+        lengths[i] = max
+        (
+            1.25*max(lengths[i], mean),
+            min(2*largest, bodies[i].shape().boundingRadius())
+        );
     }
 
     return lengths;
