@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "vectorOverRelaxation.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(vectorOverRelaxation, 0);
+    addToRunTimeSelectionTable
+    (
+        vectorSmoothSolver,
+        vectorOverRelaxation,
+        equation
+    );
+}
 
 namespace
 {

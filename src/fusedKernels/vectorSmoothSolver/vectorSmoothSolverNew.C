@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "vectorOverRelaxation.H"
+#include "vectorSmoothSolver.H"
+#include "addToRunTimeSelectionTable.H"
 #include "fusedKernels.H"
 #include "Switch.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(vectorSmoothSolver, 0);
+    defineRunTimeSelectionTable(vectorSmoothSolver, equation);
+    addToRunTimeSelectionTable
+    (
+        vectorSmoothSolver,
+        vectorSmoothSolver,
+        equation
+    );
+}
+
 
 bool Foam::vectorSmoothSolver::serves(const dictionary& controls)
 {
@@ -23,15 +37,14 @@ Foam::autoPtr<Foam::vectorSmoothSolver> Foam::vectorSmoothSolver::New
     const dictionary& controls
 )
 {
-    if (controls.lookupOrDefault<Switch>("overRelaxation", false))
-    {
-        return autoPtr<vectorSmoothSolver>
-        (
-            new vectorOverRelaxation(matrix, psi)
-        );
-    }
+    const word type
+    (
+        controls.lookupOrDefault<Switch>("overRelaxation", false)
+      ? "vectorOverRelaxation"
+      : typeName
+    );
 
-    return autoPtr<vectorSmoothSolver>(new vectorSmoothSolver(matrix, psi));
+    return equationConstructorTablePtr_->cfind(type)()(matrix, psi);
 }
 
 
