@@ -2,6 +2,28 @@
 
 #include "softSphere.H"
 
+namespace
+{
+
+//- Does a body of this shape meet a slope with one point, which goes over its
+//  surface smoothly
+bool smooth(const Foam::bodyShape& shape)
+{
+    return shape.round() || shape.hasSupport();
+}
+
+
+//- The point of the surface of such a body that is farthest in a direction
+Foam::point farthest(const Foam::immersedBody& body, const Foam::vector& n)
+{
+    return body.shape().round()
+      ? body.state().position + body.shape().boundingRadius()*n
+      : body.support(n);
+}
+
+} // End anonymous namespace
+
+
 bool Foam::contactModels::softSphere::meetSlope
 (
     const PtrList<immersedBody>& bodies,
@@ -32,41 +54,68 @@ bool Foam::contactModels::softSphere::meetSlope
     contactHistory::record& r = recordOf(bodies, c, point.normal);
 
     r.age = touches ? r.age + h : 0;
-    if (touches && r.age > 2*r.time)
+
+    // No impact any more after that: it lies on the wall
+    const bool lies = touches && r.age > 2*r.time;
+
+    if (lies && !smooth(body.shape()))
     {
-        // No impact any more: it lies on the wall
         r.slope = Zero;
         return true;
     }
-    if (!touches)
+    if (lies)
     {
-        const vector U(movers_[c.a].state.U - point.wallU);
+        r.slope = point.normal;
+    }
+    else if (!touches)
+    {
         const vector& n = point.normal;
+        const vector U(movers_[c.a].state.U - point.wallU);
 
         r.slope = roughness_.slope(body, n, U - (U & n)*n + closing*n, s);
     }
 
-    // A sphere meets it with another point of its surface
+    turn(candidatei, touches, lies, closing, h, body, r, point);
+
+    return true;
+}
+
+
+void Foam::contactModels::softSphere::turn
+(
+    const label candidatei,
+    const bool touches,
+    const bool lies,
+    const scalar closing,
+    const scalar h,
+    const immersedBody& body,
+    contactHistory::record& r,
+    contactPoint& point
+) const
+{
     const Foam::point at
     (
-        body.shape().round()
-      ? body.state().position + body.shape().boundingRadius()*r.slope
-      : point.position
+        lies || !smooth(body.shape())
+      ? point.position
+      : farthest(body, r.slope)
     );
-    const scalar met =
-        movers_.relativeVelocity(c, at, point.wallU) & r.slope;
+    const vector U
+    (
+        movers_.relativeVelocity(candidates_[candidatei], at, point.wallU)
+    );
+    const scalar met = U & r.slope;
 
-    // It begins at the same time as with a smooth wall
+    // It begins at the same time as with a smooth wall. One that lies goes to
+    // the wall slowly: a sudden change of the overlap would make energy
     r.gap = touches
       ? r.gap - h*met
       : max(point.gap/closing, -0.5*h)*max(met, VSMALL);
+    r.gap += lies ? 0.02*h/r.time*(point.gap - r.gap) : 0;
 
     r.normal = point.normal;
     point.normal = r.slope;
     point.position = at;
     point.gap = r.gap;
-
-    return true;
 }
 
 

@@ -70,40 +70,6 @@ Foam::Pair<Foam::scalar> Foam::contactModels::softSphere::inverseMasses
 }
 
 
-Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
-(
-    const PtrList<immersedBody>& bodies,
-    candidate& c,
-    const vector& normal
-) const
-{
-    contactHistory::record* known =
-        contactHistory::nearest(c.records, normal);
-
-    if (known)
-    {
-        return *known;
-    }
-
-    // In the place of one that has ended, if there is one
-    label place = 0;
-    while (place < c.records.size() && c.records[place].live())
-    {
-        ++place;
-    }
-    if (place == c.records.size())
-    {
-        c.records.append(contactHistory::record());
-    }
-
-    contactHistory::record& r = c.records[place];
-
-    r.bodies = movers_.bodyNumbers(bodies, c);
-
-    return r;
-}
-
-
 void Foam::contactModels::softSphere::addTouch
 (
     const PtrList<immersedBody>& bodies,
@@ -173,6 +139,41 @@ void Foam::contactModels::softSphere::addTouch
 }
 
 
+void Foam::contactModels::softSphere::meetWalls
+(
+    PtrList<immersedBody>& bodies,
+    const wallFacets& walls,
+    const label candidatei,
+    const scalar h,
+    const scalar dt
+)
+{
+    const contactMover& m = movers_[candidates_[candidatei].a];
+    const scalar closing =
+        mag(m.state.U) + m.radius*mag(m.state.omega)
+      + walls.maxSpeedBeside(m.body);
+
+    // What the gap of a smooth body may close by in the sub-step, as the search
+    // costs more within reach; films are of round ones
+    const bool near =
+        !m.round && bodies[m.body].shape().hasSupport();
+    const scalar reach = near ? h*closing : m.radius;
+
+    m.place(bodies[m.body]);
+
+    const DynamicList<contactPoint> points
+    (
+        walls.contacts(m.body, bodies[m.body], reach)
+    );
+
+    for (const contactPoint& point : points)
+    {
+        addTouch(bodies, candidatei, point, h, dt);
+        addFilm(candidatei, point);
+    }
+}
+
+
 void Foam::contactModels::softSphere::findTouches
 (
     PtrList<immersedBody>& bodies,
@@ -187,26 +188,15 @@ void Foam::contactModels::softSphere::findTouches
     forAll(candidates_, i)
     {
         candidate& c = candidates_[i];
-        immersedBody& a = bodies[movers_[c.a].body];
         const label first = touches_.size();
 
         if (c.b < 0)
         {
-            movers_[c.a].place(a);
-
-            const DynamicList<contactPoint> points
-            (
-                walls.contacts(movers_[c.a].body, a)
-            );
-
-            for (const contactPoint& point : points)
-            {
-                addTouch(bodies, i, point, h, dt);
-                addFilm(i, point);
-            }
+            meetWalls(bodies, walls, i, h, dt);
         }
         else if (!apart(i, h))
         {
+            immersedBody& a = bodies[movers_[c.a].body];
             immersedBody& b = bodies[movers_[c.b].body];
 
             movers_[c.a].place(a);
@@ -219,27 +209,5 @@ void Foam::contactModels::softSphere::findTouches
         }
 
         endContacts(c, first);
-    }
-}
-
-
-void Foam::contactModels::softSphere::endContacts
-(
-    candidate& c,
-    const label first
-) const
-{
-    forAll(c.records, k)
-    {
-        bool touched = false;
-        for (label l = first; l < touches_.size(); ++l)
-        {
-            touched = touched || touches_[l].record == k;
-        }
-
-        if (!touched)
-        {
-            c.records[k] = contactHistory::record();
-        }
     }
 }

@@ -129,12 +129,14 @@ void Foam::wallFacets::blend
 Foam::DynamicList<Foam::contactPoint> Foam::wallFacets::contacts
 (
     const label bodyi,
-    const immersedBody& body
+    const immersedBody& body,
+    const scalar reach
 ) const
 {
     const DynamicList<facet>& facets = facets_[bodyi];
-    const List<contactPoint> points(nearest(body, facets));
     const scalar R = body.shape().boundingRadius();
+    const scalar within = min(reach, R);
+    const List<contactPoint> points(nearest(body, facets, within));
 
     scalarList gaps(points.size());
     forAll(points, i)
@@ -146,7 +148,7 @@ Foam::DynamicList<Foam::contactPoint> Foam::wallFacets::contacts
     DynamicList<label> rest(sortedOrder(gaps)), done;
 
     // Walls that are apart but for the reach of the search make no contact
-    while (!rest.empty() && gaps[rest[0]] < R)
+    while (!rest.empty() && gaps[rest[0]] < within)
     {
         contactPoint contact(points[rest[0]]);
         const vector normal(facets[rest[0]].normal);

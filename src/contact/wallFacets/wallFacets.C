@@ -27,6 +27,40 @@ Foam::point Foam::wallFacets::facet::nearest(const point& x) const
 }
 
 
+bool Foam::wallFacets::facet::covers
+(
+    const point& x,
+    const scalar margin
+) const
+{
+    // In the triangle of the centre and an edge
+    forAll(points, i)
+    {
+        const point corners[3] =
+        {
+            centre, points[i], points[points.fcIndex(i)]
+        };
+        bool inside = true;
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            const point& from = corners[k];
+            const vector outwards(normal ^ (from - corners[(k + 1) % 3]));
+
+            inside = inside
+             && (outwards & (x - from)) >= -margin*mag(outwards);
+        }
+
+        if (inside)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 Foam::wallFacets::wallFacets(const geometricSpace& space)
 :
     inSpace_(space.translation())
@@ -52,84 +86,6 @@ Foam::wallFacets::wallFacets
             facets.last().U = U.empty() ? vector::zero : U[i];
         }
     }
-}
-
-
-Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
-(
-    const immersedBody& body,
-    const UList<facet>& facets
-) const
-{
-    const point& centre = body.state().position;
-    const scalar R = body.shape().boundingRadius();
-    const bool round = body.shape().round();
-    const bool support = body.shape().hasSupport();
-    pointField surface
-    (
-        round || support ? pointField() : contactPoint::surface(body)
-    );
-
-    List<contactPoint> result(facets.size());
-
-    forAll(facets, i)
-    {
-        const facet& f = facets[i];
-        contactPoint& c = result[i];
-
-        c.patch = f.patch;
-        c.wallU = f.U;
-        if (round)
-        {
-            // Most are too far to be touched: no need to know how far
-            if (f.leastDistance(centre) > 2*R)
-            {
-                continue;
-            }
-
-            const vector apart
-            (
-                cmptMultiply(centre - f.nearest(centre), inSpace_)
-            );
-            const scalar distance = mag(apart);
-
-            // Not one that is seen from behind
-            if ((apart & f.normal) > 0)
-            {
-                c.gap = distance - R;
-                c.normal = -apart/distance;
-                c.position = centre - apart;
-            }
-            continue;
-        }
-
-        // Corners of the body on the face, and points of the face in the body
-        pointField x(f.points);
-        x.append(f.nearest(centre));
-        scalarField gaps(x.size());
-        body.distance(x, gaps);
-        if (support)
-        {
-            surface = pointField(1, body.support(-f.normal));
-        }
-
-        for (const point& y : surface)
-        {
-            const point foot(f.nearest(y));
-            const scalar height = (y - foot) & f.normal;
-
-            if (mag(y - foot - height*f.normal) < 1e-6*R)
-            {
-                x.append(foot);
-                gaps.append(height);
-            }
-        }
-
-        c.average(x, gaps, body.shape().width());
-        c.normal = -f.normal;
-    }
-
-    return result;
 }
 
 
