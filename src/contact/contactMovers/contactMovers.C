@@ -173,6 +173,15 @@ void Foam::contactMovers::addImpulse
 }
 
 
+void Foam::contactMovers::putBack(PtrList<immersedBody>& bodies) const
+{
+    for (const contactMover& m : *this)
+    {
+        bodies[m.body].setState(m.end);
+    }
+}
+
+
 void Foam::contactMovers::setContact
 (
     PtrList<immersedBody>& bodies,
@@ -181,9 +190,15 @@ void Foam::contactMovers::setContact
 {
     for (const contactMover& m : *this)
     {
+        // A body that tumbles has had its contacts in other orientations
+        const vector dOmega
+        (
+            m.tumbles ? m.inverseInertia & m.impulse.angular : m.dOmega
+        );
+
         bodies[m.body].setContact
         (
-            m.state, m.dU, m.dOmega, (1/dt)*m.impulse
+            m.state, m.dU, dOmega, (1/dt)*m.impulse
         );
     }
 }

@@ -141,7 +141,7 @@ void Foam::contactModels::nonsmoothContact::step
     place(bodies);
     for (contactMover& m : movers_)
     {
-        m.inverseInertia = bodies[m.body].inverseInertia();
+        m.inverseInertia = bodies[m.body].inverseInertia(m.state);
     }
     findTouches(bodies, walls);
 

@@ -154,6 +154,7 @@ bool Foam::contactModels::softSphere::goThrough
         drift(bodies, 0.5*subDt, meshU);
     }
     sumSprings(subDt);
+    movers_.putBack(bodies);
 
     return true;
 }

@@ -11,14 +11,8 @@ void Foam::contactModels::softSphere::drift
 {
     for (contactMover& m : movers_)
     {
-        m.state.move(h, m.state.U - meshU, m.state.omega);
+        m.drift(bodies, h, meshU);
         m.way += h*contactMovers::speed(m.state.U, meshU);
-
-        if (!m.round)
-        {
-            m.place(bodies[m.body]);
-            m.inverseInertia = bodies[m.body].inverseInertia();
-        }
     }
 
     for (candidate& c : candidates_)

@@ -97,6 +97,14 @@ bool Foam::immersedBody::isFree() const
 }
 
 
+bool Foam::immersedBody::tumbles() const
+{
+    return
+        !resolved_ && !shape_->round() && isFree()
+     && cmptMin(freeOmega_) > 0.5;
+}
+
+
 bool Foam::immersedBody::isFixed() const
 {
     return fixed_

@@ -10,14 +10,17 @@ Foam::vector Foam::immersedBody::inverseMass() const
 }
 
 
-Foam::tensor Foam::immersedBody::inverseInertia() const
+Foam::tensor Foam::immersedBody::inverseInertia
+(
+    const bodyState& state
+) const
 {
     if (!isFree())
     {
         return Zero;
     }
 
-    tensor I(densityRatio_*inertia(state_));
+    tensor I(densityRatio_*inertia(state));
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -60,7 +63,7 @@ void Foam::immersedBody::setContact
 )
 {
     state_.position = pose.position;
-    state_.orientation = pose.orientation;
+    turnTo(pose.orientation);
     state_.U += dU;
     state_.omega += dOmega;
     contactU_ = dU;

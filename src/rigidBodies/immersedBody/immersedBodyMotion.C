@@ -162,14 +162,54 @@ void Foam::immersedBody::predictPose
     deltaT_ = dt;
     meshShift_ = meshShift;
 
-    state_.position = old_.position;
-    state_.orientation = old_.orientation;
-    state_.move
+    bodyState end(old_);
+    end.move
     (
         dt,
         0.5*(state_.U + old_.U) - meshU,
         0.5*(state_.omega + old_.omega)
     );
+
+    turnTo(tumbles() ? tumbled(dt) : end.orientation);
+    state_.position = end.position;
+}
+
+
+Foam::quaternion Foam::immersedBody::tumbled(const scalar dt) const
+{
+    const vector L0(inertia(old_) & old_.omega);
+    const vector L1(inertia(state_) & state_.omega);
+    const scalar fastest = max(mag(old_.omega), mag(state_.omega));
+    const label n = 1 + min(label(10*dt*fastest), label(1000));
+    const scalar h = dt/n;
+    bodyState at(old_);
+
+    // With the spin in the middle of each part
+    for (label i = 0; i < n; ++i)
+    {
+        const vector L(L0 + (i + 0.5)/n*(L1 - L0));
+        bodyState middle(at);
+
+        middle.move(0.5*h, Zero, inv(inertia(at)) & L);
+        at.move(h, Zero, inv(inertia(middle)) & L);
+    }
+
+    return at.orientation;
+}
+
+
+void Foam::immersedBody::turnTo(const quaternion& orientation)
+{
+    if (!tumbles())
+    {
+        state_.orientation = orientation;
+        return;
+    }
+
+    const vector L(inertia(state_) & state_.omega);
+
+    state_.orientation = orientation;
+    state_.omega = inv(inertia(state_)) & L;
 }
 
 
