@@ -64,6 +64,10 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(divergence(phi_));
 
+    if (iteration_.first())
+    {
+        layers_.beginStep();
+    }
     layers_.begin(layersLag());
     if (layers_.active())
     {
@@ -188,7 +192,7 @@ bool Foam::flowSolvers::immersedFluid::layersLag() const
         iteration_.change() > sudden && lightest >= leastRatioAtStart;
 
     return
-        iteration_.number() > (start ? 1 : nPlain)
+        iteration_.number() > (layers_.crowded() ? 0 : start ? 1 : nPlain)
      && bodies_.anyFree()
      && viscousReach_ <= maxLayerReach
      && CoNum <= maxLayerCourant
