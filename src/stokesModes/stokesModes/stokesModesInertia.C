@@ -30,6 +30,29 @@ Foam::autoPtr<Foam::stokesFlow> Foam::stokesModes::freeFlow(vector& W)
 }
 
 
+Foam::rigidMotion Foam::stokesModes::freeMotion
+(
+    const label bodyi,
+    const vector& W
+) const
+{
+    rigidMotion motion{bodyi, -W, Zero};
+
+    for (label i = 0; i < bodies_.nModes(); ++i)
+    {
+        const rigidMotion part(bodies_.motion(i));
+
+        if (part.body == bodyi)
+        {
+            motion.U += V[i]*part.U;
+            motion.omega += V[i]*part.omega;
+        }
+    }
+
+    return motion;
+}
+
+
 Foam::scalar Foam::stokesModes::insideBodies
 (
     const label mode,
@@ -38,21 +61,46 @@ Foam::scalar Foam::stokesModes::insideBodies
 {
     const rigidMotion one(bodies_.motion(mode));
     const immersedBody& body = bodies_[one.body];
-    vector v(-W), omega(Zero);
+    const rigidMotion free(freeMotion(one.body, W));
+    const vector& omega = free.omega;
 
-    for (label i = 0; i < bodies_.nModes(); ++i)
+    return body.volume()*((omega^free.U) & one.U)
+      + ((omega^(body.inertia(body.state()) & omega)) & one.omega);
+}
+
+
+Foam::scalar Foam::stokesModes::inLayers
+(
+    const label mode,
+    const vector& W
+) const
+{
+    const scalarField& volumes = equations_.mesh().V();
+    const label nCells = volumes.size();
+    const rigidMotion one(bodies_.motion(mode));
+    scalar sum = 0;
+
+    for (const bodyRegion& region : bodies_.region().regions())
     {
-        const rigidMotion part(bodies_.motion(i));
+        const label bodyi = region.body();
+        const point& centre = bodies_[bodyi].state().position;
+        const rigidMotion free(freeMotion(bodyi, W));
 
-        if (part.body == one.body)
+        forAll(region.cells, j)
         {
-            v += V[i]*part.U;
-            omega += V[i]*part.omega;
+            const label celli = region.cells[j];
+            const vector r(region.x[j] - centre);
+            vector u(bodyi == one.body ? -one(r) : Zero);
+
+            forAll(equations_.components(), k)
+            {
+                u[equations_.components()[k]] += x_[mode][k*nCells + celli];
+            }
+            sum += volumes[celli]*region.share[j]*((free.omega^free(r)) & u);
         }
     }
 
-    return body.volume()*((omega^v) & one.U)
-      + ((omega^(body.inertia(body.state()) & omega)) & one.omega);
+    return returnReduce(sum, sumOp<scalar>());
 }
 
 
@@ -85,8 +133,12 @@ void Foam::stokesModes::setInertia()
                    *x_[i][k*nCells + celli];
             }
         }
-        C[i] = -(returnReduce(sum, sumOp<scalar>()) - insideBodies(i, W))
-           /bodies_.space().depth();
+        C[i] = -
+        (
+            returnReduce(sum, sumOp<scalar>())
+          - inLayers(i, W)
+          - insideBodies(i, W)
+        )/bodies_.space().depth();
     }
 
     V1 = denseMatrix::multiply(mobility, C);
