@@ -59,3 +59,37 @@ TEST_CASE("Distance of the ellipsoid on its axes and far away", "[shapes]")
     CHECK(needle->distance(point(0.5, 0, 0)) < -8e-4);
     CHECK(needle->distance(point(0.5, 0.1, 0)) == Approx(0.0991).margin(1e-4));
 }
+
+
+TEST_CASE("Curvature of plane shapes", "[shapes]")
+{
+    const geometricSpace twoD(2), threeD(-1);
+    const vectorField n({{1, 0, 0}, {0, -1, 0}, {0.6, 0.8, 0}, Zero});
+    auto curvature = [&](const std::string& text, const geometricSpace& space)
+    {
+        scalarField kappa(n.size(), -1);
+        shape(text, space)->curvature(n, kappa);
+        return kappa;
+    };
+
+    const scalarField disc(curvature("type disc; radius 0.5;", twoD));
+    CHECK(disc[0] == near(2));
+    CHECK(disc[2] == near(2));
+
+    // a/b^2 at the tips, b/a^2 in the middle; h^3/(a b)^2 with
+    // h^2 = (a n_x)^2 + (b n_y)^2 elsewhere
+    const scalarField ellipse(curvature("type ellipse; semiAxes (2 1);", twoD));
+    CHECK(ellipse[0] == near(2));
+    CHECK(ellipse[1] == near(0.25));
+    CHECK(ellipse[2] == near(Foam::pow(2.08, 1.5)/4));
+
+    // Without a normal; flat sides; in three dimensions
+    CHECK(disc[3] == 0);
+    CHECK(ellipse[3] == 0);
+    CHECK(max(mag(curvature("type box; size (2 1 1);", threeD))) == 0);
+    CHECK(max(mag(curvature("type sphere; radius 1;", threeD))) == 0);
+    CHECK
+    (
+        max(mag(curvature("type ellipsoid; semiAxes (3 2 1);", threeD))) == 0
+    );
+}

@@ -44,6 +44,9 @@ scalar fade(const scalar x, const scalar start, const scalar end)
     return x > start ? Foam::max((end - x)/(end - start), 0) : 1;
 }
 
+//- Sharper curvatures, times the cell size, are taken for this one
+const scalar sharpest = 1.0/3.0;
+
 } // End anonymous namespace
 
 
@@ -94,6 +97,7 @@ Foam::resistanceModels::exponential::exponential
     factor_ = interpolate(steepness_, 1.0704, 1.0156, 1);
     shieldFade_ = interpolate(steepness_, 2, 3.5, 5);
     shieldEnd_ = interpolate(steepness_, 2.8, 3.9, 5);
+    bend_ = interpolate(steepness_, 0, 0.5, 1);
 }
 
 
@@ -105,10 +109,11 @@ Foam::scalar Foam::resistanceModels::exponential::bandWidth() const
 
 Foam::scalar Foam::resistanceModels::exponential::shieldAt
 (
-    const scalar d
+    const scalar d,
+    const scalar bend
 ) const
 {
-    const scalar x = (d - shieldShift_)/shieldWidth_;
+    const scalar x = (d - shieldShift_)/(shieldWidth_ + 0.9*bend);
 
     // (1 - tanh(x))/2
     return x < shieldEnd_
@@ -117,28 +122,58 @@ Foam::scalar Foam::resistanceModels::exponential::shieldAt
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::resistanceModels::exponential::bends
+(
+    const immersedBody& body,
+    const UList<vector>& n,
+    const UList<scalar>& h
+) const
+{
+    tmp<scalarField> tbends(new scalarField(h.size(), Zero));
+
+    if (bend_ > 0)
+    {
+        scalarField& bends = tbends.ref();
+        const tensor R(body.state().orientation.R());
+
+        body.shape().curvature(vectorField(R.T() & vectorField(n)), bends);
+
+        forAll(bends, i)
+        {
+            bends[i] = bend_*sqr(min(bends[i]*h[i], sharpest));
+        }
+    }
+
+    return tbends;
+}
+
+
 void Foam::resistanceModels::exponential::setShield
 (
-    const immersedBody&,
+    const immersedBody& body,
     bodyRegion& region
 ) const
 {
+    const scalarField bend(bends(body, region.normal, region.h));
+
     forAll(region.cells, i)
     {
-        region.shield[i] = shieldAt(region.distance[i]/region.h[i]);
+        region.shield[i] = shieldAt(region.distance[i]/region.h[i], bend[i]);
     }
+
+    const scalarField faceBend(bends(body, region.faceNormal, region.faceH));
 
     forAll(region.faces, i)
     {
         region.faceShield[i] =
-            shieldAt(region.faceDistance[i]/region.faceH[i]);
+            shieldAt(region.faceDistance[i]/region.faceH[i], faceBend[i]);
     }
 }
 
 
 void Foam::resistanceModels::exponential::setResistance
 (
-    const immersedBody&,
+    const immersedBody& body,
     const scalarField& A0,
     const scalarField& nu,
     bodyRegion& region
@@ -147,12 +182,13 @@ void Foam::resistanceModels::exponential::setResistance
     const scalar gamma = 0.5772156649015329;
     const scalar a = steepness_;
     const scalar factor = factor_*sqr(2*a*Foam::exp(-gamma));
+    const scalarField bend(bends(body, region.normal, region.h));
 
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
         const scalar h = region.h[i];
-        const scalar ad = a*region.distance[i]/h;
+        const scalar ad = a*(region.distance[i]/h + 0.1*bend[i]);
 
         if (ad >= fadeEnd_)
         {

@@ -111,6 +111,16 @@ Foam::point Foam::bodyShape::support(const vector&) const
 }
 
 
+void Foam::bodyShape::curvature
+(
+    const UList<vector>&,
+    UList<scalar>& kappa
+) const
+{
+    kappa = 0;
+}
+
+
 void Foam::bodyShape::multiply
 (
     dictionary& dict,

@@ -45,3 +45,18 @@ void Foam::bodyShapes::roundShape::normal
         n[i] = r/(mag(r) + VSMALL);
     }
 }
+
+
+void Foam::bodyShapes::roundShape::curvature
+(
+    const UList<vector>& n,
+    UList<scalar>& kappa
+) const
+{
+    const bool flat = emptyDir_ != vector::zero;
+
+    forAll(n, i)
+    {
+        kappa[i] = flat && magSqr(inSpace(n[i])) > SMALL ? 1/radius_ : 0;
+    }
+}
