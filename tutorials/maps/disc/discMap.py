@@ -4,6 +4,7 @@ from the lift on a disc that is held. As a program: the states of the modes, to
 modes/system/stokesModesDict. All are even or odd in y, and y < 0 is computed."""
 
 import pathlib
+import re
 
 import numpy as np
 
@@ -33,6 +34,19 @@ def lateral():
         resistance = np.interp(y, stokes["py0"], stokes["A_y0_y0"])
         found[Re] = y, held["lift"][rows]/resistance
     return found
+
+
+def arrivals():
+    """Heights and lateral velocity over Re of free discs in time, in the second
+    half of their runs, in which they settle: {Re: (y, velocity)}"""
+    found = {}
+    for case in sorted((here/"window/near").glob("Re*")):
+        Re = float(re.match(r"Re([\d.]+)", case.name)[1])
+        motion = tables.run_columns(case, "motion")
+        late = motion["time"] > 0.5*motion["time"][-1]
+        found.setdefault(Re, []).append(
+            (motion["position_y"][late], motion["velocity_y"][late]/Re))
+    return {Re: np.hstack(runs) for Re, runs in found.items()}
 
 
 def main():

@@ -61,9 +61,22 @@ def lateral(found):
                       f" slope over Re {zero.slope:.4e}, {zero.stability}"
                       + (f"; finite elements {-REFERENCE[Re]:.5f}"
                          if zero.x < -0.1 else ""))
+    arrivals(ax, list(found))
     ax.set(xlabel="height y [m]", ylabel="lateral velocity over Re [m/s]")
     ax.legend()
     gp.save(figure, here/"plots/lateral.png")
+
+
+def arrivals(ax, colours):
+    """Velocities of free discs in time, and where a cubic has its zero."""
+    for Re, (y, values) in discMap.arrivals().items():
+        curve = np.polynomial.Polynomial.fit(y, values, 3)
+        there = np.linspace(y.min(), y.max(), 200)
+        ax.plot(there, curve(there), f"C{colours.index(Re)}--",
+                label=f"Re = {Re:g}, free, in time")
+        for zero in analysis.zeros(there, curve(there)):
+            print(f"Re {Re:g}, free discs in time: at rest at y ="
+                  f" {zero.x:.5f}, slope over Re {zero.slope:.4e}")
 
 
 def migration(found):
