@@ -13,9 +13,44 @@ namespace
     //- Times that a solution begins anew from its true residual
     const Foam::label maxCycles = 10;
 
+    //- Part of a direction that has to be left for once to be enough
+    const Foam::scalar orthogonal = 0.5;
+
+
+    //- Inner product. In four sums, none of which waits for the last addition:
+    //  most of the time would go by in it.
+    Foam::scalar inner
+    (
+        const Foam::scalarField& x,
+        const Foam::scalarField& y
+    )
+    {
+        const Foam::label n = x.size(), whole = n - n % 4;
+        Foam::scalar sums[4] = {0, 0, 0, 0};
+
+        for (Foam::label i = 0; i < whole; i += 4)
+        {
+            for (Foam::label j = 0; j < 4; ++j)
+            {
+                sums[j] += x[i + j]*y[i + j];
+            }
+        }
+        for (Foam::label i = whole; i < n; ++i)
+        {
+            sums[0] += x[i]*y[i];
+        }
+
+        return Foam::returnReduce
+        (
+            sums[0] + sums[1] + sums[2] + sums[3],
+            Foam::sumOp<Foam::scalar>()
+        );
+    }
+
+
     Foam::scalar norm(const Foam::scalarField& x)
     {
-        return Foam::sqrt(Foam::gSumSqr(x));
+        return Foam::sqrt(inner(x, x));
     }
 }
 
@@ -41,12 +76,19 @@ void Foam::recycledKrylov::takeOff
     scalarField& y
 ) const
 {
+    const label n = r.size();
+
     for (label i = first; i < c_.size(); ++i)
     {
-        const scalar part = gSumProd(c_[i], r);
+        const scalarField& c = c_[i];
+        const scalar part = inner(c, r);
 
         y[i] += part;
-        r -= part*c_[i];
+
+        for (label j = 0; j < n; ++j)
+        {
+            r[j] -= part*c[j];
+        }
     }
 }
 
@@ -59,11 +101,16 @@ bool Foam::recycledKrylov::append(const scalarField& c)
     autoPtr<scalarField> column(new scalarField(n + 1, Zero));
     const scalar whole = norm(next());
 
-    // Twice is enough
-    takeOff(0, next(), column());
     takeOff(0, next(), column());
 
-    const scalar rest = norm(next());
+    scalar rest = norm(next());
+
+    // Twice is enough
+    if (rest < orthogonal*whole)
+    {
+        takeOff(0, next(), column());
+        rest = norm(next());
+    }
 
     if (!(rest > nothingNew*whole))
     {
