@@ -76,16 +76,9 @@ TEST_CASE("Curvature of plane shapes", "[shapes]")
     CHECK(disc[0] == near(2));
     CHECK(disc[2] == near(2));
 
-    // a/b^2 at the tips, b/a^2 in the middle; h^3/(a b)^2 with
-    // h^2 = (a n_x)^2 + (b n_y)^2 elsewhere
-    const scalarField ellipse(curvature("type ellipse; semiAxes (2 1);", twoD));
-    CHECK(ellipse[0] == near(2));
-    CHECK(ellipse[1] == near(0.25));
-    CHECK(ellipse[2] == near(Foam::pow(2.08, 1.5)/4));
-
-    // Without a normal; flat sides; in three dimensions
+    // Without a normal; shapes that do not have it; in three dimensions
     CHECK(disc[3] == 0);
-    CHECK(ellipse[3] == 0);
+    CHECK(max(mag(curvature("type ellipse; semiAxes (2 1);", twoD))) == 0);
     CHECK(max(mag(curvature("type box; size (2 1 1);", threeD))) == 0);
     CHECK(max(mag(curvature("type sphere; radius 1;", threeD))) == 0);
     CHECK

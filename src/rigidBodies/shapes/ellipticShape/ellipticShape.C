@@ -147,20 +147,3 @@ Foam::scalar Foam::bodyShapes::ellipticShape::contactRadius
 
     return emptyDir_ == vector::zero ? product/sqr(h) : sqr(product)/pow3(h);
 }
-
-
-void Foam::bodyShapes::ellipticShape::curvature
-(
-    const UList<vector>& n,
-    UList<scalar>& kappa
-) const
-{
-    const bool flat = emptyDir_ != vector::zero;
-
-    forAll(n, i)
-    {
-        kappa[i] = flat && magSqr(inPlane(n[i])) > SMALL
-          ? 1/contactRadius(n[i])
-          : 0;
-    }
-}
