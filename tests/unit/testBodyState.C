@@ -187,3 +187,22 @@ TEST_CASE("A written state is read back to the last bit", "[bodyState]")
     CHECK(copy.U == state.U);
     CHECK(copy.omega == state.omega);
 }
+
+
+TEST_CASE("Small and large rotations in one step", "[bodyState]")
+{
+    // The series of small angles ends between the second and the third
+    for (const scalar angle : {1e-9, 0.19, 0.21, 3.})
+    {
+        for (const scalar sign : {-1, 1})
+        {
+            bodyState state;
+
+            state.move(0.5, Zero, vector(2*sign*angle, 0, 0));
+            CHECK
+            (
+                difference(state.orientation.R(), rotationX(sign*angle)) < 1e-15
+            );
+        }
+    }
+}
