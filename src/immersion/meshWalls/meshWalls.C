@@ -26,6 +26,7 @@ Foam::meshWalls::meshWalls
         }
     }
     faces_.transfer(faces);
+    setSizes();
     any_ = returnReduce(faces_.size(), sumOp<label>()) > 0;
 
     if (!faces_.empty())
@@ -44,6 +45,76 @@ Foam::meshWalls::meshWalls
 }
 
 
+Foam::labelList Foam::meshWalls::search
+(
+    const point& x,
+    const scalar reach
+) const
+{
+    const vector corner(reach*vector::one);
+    labelList found(tree_().findBox(treeBoundBox(x - corner, x + corner)));
+
+    Foam::sort(found);
+
+    return found;
+}
+
+
+const Foam::labelList& Foam::meshWalls::facesNear
+(
+    const label bodyi,
+    const point& x,
+    const scalar reach
+) const
+{
+    nearby& known = nearby_[bodyi];
+
+    // Whatever was known before: those too far are left out later
+    if (mag(x - known.centre) + reach > known.reach)
+    {
+        known.centre = x;
+        known.reach = 1.5*reach;
+        known.faces = search(x, known.reach);
+    }
+
+    return known.faces;
+}
+
+
+void Foam::meshWalls::pack
+(
+    const label i,
+    const label key,
+    const periodicity::image& im,
+    const UList<tmp<vectorField>>& wallU,
+    DynamicList<vector>& packed
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label facei = faces_[i];
+    const label patchi = patches.patchID()[facei - mesh_.nInternalFaces()];
+    const face& f = mesh_.faces()[facei];
+    vector U(-im.velocity);
+
+    if (wallU[patchi].valid())
+    {
+        U += wallU[patchi]()[facei - patches[patchi].start()];
+    }
+
+    const bool moves = U != vector::zero;
+
+    packed.append(vector(key, (moves ? -1 : 1)*f.size(), patchi));
+    for (const label pointi : f)
+    {
+        packed.append(mesh_.points()[pointi] - im.shift);
+    }
+    if (moves)
+    {
+        packed.append(U);
+    }
+}
+
+
 void Foam::meshWalls::collect
 (
     const UList<point>& centres,
@@ -58,7 +129,8 @@ void Foam::meshWalls::collect
     }
 
     const List<tmp<vectorField>> wallU(velocities());
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    nearby_.resize(centres.size());
 
     forAll(centres, bodyi)
     {
@@ -67,54 +139,32 @@ void Foam::meshWalls::collect
             continue;
         }
 
+        const scalar reach = radii[bodyi] + largestMargin_;
         const List<periodicity::image> images
         (
-            periods.localImages(centres[bodyi], radii[bodyi])
+            periods.localImages(centres[bodyi], reach)
         );
 
         for (const periodicity::image& im : images)
         {
             const point x(centres[bodyi] + im.shift);
-            const vector reach(radii[bodyi]*vector::one);
-            labelList found
+            label nWithin;
+            const DynamicList<label> chosen
             (
-                tree_().findBox(treeBoundBox(x - reach, x + reach))
+                choose
+                (
+                    images.size() > 1
+                  ? search(x, reach)
+                  : facesNear(bodyi, x, reach),
+                    x, radii[bodyi], nWithin
+                )
             );
-            Foam::sort(found);
 
-            for (const label i : found)
+            forAll(chosen, i)
             {
-                const face& f = mesh_.faces()[faces_[i]];
-                const pointHit hit(f.nearestPoint(x, mesh_.points()));
+                const label key = i < nWithin ? bodyi : -1 - bodyi;
 
-                if (hit.distance() > radii[bodyi])
-                {
-                    continue;
-                }
-
-                const label patchi =
-                    patches.patchID()[faces_[i] - mesh_.nInternalFaces()];
-                const vector U
-                (
-                    wallU[patchi].valid()
-                  ? wallU[patchi]()[faces_[i] - patches[patchi].start()]
-                    - im.velocity
-                  : -im.velocity
-                );
-                const bool moves = U != vector::zero;
-
-                packed.append
-                (
-                    vector(bodyi, (moves ? -1 : 1)*f.size(), patchi)
-                );
-                for (const label pointi : f)
-                {
-                    packed.append(mesh_.points()[pointi] - im.shift);
-                }
-                if (moves)
-                {
-                    packed.append(U);
-                }
+                pack(chosen[i], key, im, wallU, packed);
             }
         }
     }
@@ -125,7 +175,8 @@ void Foam::meshWalls::unpack(const UList<vector>& packed)
 {
     for (label i = 0; i < packed.size();)
     {
-        const label bodyi = label(packed[i].x());
+        const label key = label(packed[i].x());
+        const label bodyi = key < 0 ? -1 - key : key;
         const label n = label(mag(packed[i].y()));
         const bool moves = packed[i].y() < 0;
         facet f(SubList<point>(packed, n, i + 1));
@@ -134,6 +185,7 @@ void Foam::meshWalls::unpack(const UList<vector>& packed)
         f.U = moves ? packed[i + n + 1] : vector::zero;
 
         facets_[bodyi].append(f);
+        within_[bodyi] = within_[bodyi] || key >= 0;
         i += n + 1 + moves;
     }
 }
@@ -148,6 +200,8 @@ void Foam::meshWalls::update
 {
     facets_.clear();
     facets_.resize(centres.size());
+    within_.setSize(centres.size());
+    within_ = false;
 
     if (!any_)
     {
@@ -164,5 +218,12 @@ void Foam::meshWalls::update
     for (const List<vector>& one : all)
     {
         unpack(one);
+    }
+    forAll(facets_, bodyi)
+    {
+        if (!within_[bodyi])
+        {
+            facets_[bodyi].clear();
+        }
     }
 }
