@@ -128,15 +128,11 @@ bool Foam::contactMovers::search
 }
 
 
-Foam::scalar Foam::contactMovers::width
-(
-    const PtrList<immersedBody>& bodies,
-    const pair& p
-) const
+Foam::scalar Foam::contactMovers::width(const pair& p) const
 {
-    const scalar a = bodies[(*this)[p.a].body].shape().width();
+    const scalar a = (*this)[p.a].width;
 
-    return p.b < 0 ? a : min(a, bodies[(*this)[p.b].body].shape().width());
+    return p.b < 0 ? a : min(a, (*this)[p.b].width);
 }
 
 

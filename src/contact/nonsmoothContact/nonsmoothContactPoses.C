@@ -81,7 +81,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
             largest = max
             (
                 largest,
-                2*(holds ? mag(gap) : -gap)/movers_.width(bodies, c)
+                2*(holds ? mag(gap) : -gap)/movers_.width(c)
             );
         }
     }

@@ -145,13 +145,14 @@ bool Foam::contactModels::softSphere::goThrough
     );
     const scalar subDt = dt/n;
 
+    // What ends a sub-step and begins the next is done at once
+    drift(bodies, 1, subDt, meshU);
     for (label i = 0; i < n; ++i)
     {
-        drift(bodies, 0.5*subDt, meshU);
         findTouches(bodies, walls, subDt, dt);
         kick(subDt);
         lubricate(subDt);
-        drift(bodies, 0.5*subDt, meshU);
+        drift(bodies, i < n - 1 ? 2 : 1, subDt, meshU);
     }
     sumSprings(subDt);
     movers_.putBack(bodies);

@@ -72,10 +72,18 @@ bool Foam::contactModels::softSphere::search
 
     addCandidates(bodies);
 
+    isTouched_.setSize(movers_.size());
+    isTouched_ = false;
+    touched_.clear();
+    clearance_.reset(movers_.size());
+    slideSpeed_ = slideTime_ = 0;
+
     for (candidate& c : candidates_)
     {
         gaps_.append(gapOf(bodies, h, c));
         keepOwn(c);
+        clearance_.append(c.a, c.b);
+        slideSpeed_ = max(slideSpeed_, mag(c.velocity));
     }
 
     return true;
@@ -167,7 +175,7 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
 
         contactLaw::contact touch;
         touch.mass = 1/inverseMass;
-        touch.halfWidth = 0.5*movers_.width(bodies, c);
+        touch.halfWidth = 0.5*movers_.width(c);
         touch.radius = touch.halfWidth;
         touch.coefficients = materials_.largest();
 
@@ -180,24 +188,4 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
     }
 
     return shortest;
-}
-
-
-bool Foam::contactModels::softSphere::apart
-(
-    const label candidatei,
-    const scalar h
-) const
-{
-    const candidate& c = candidates_[candidatei];
-    const contactMover& a = movers_[c.a];
-    const contactMover& b = movers_[c.b];
-    const scalar speed =
-        mag(a.state.U - b.state.U - c.velocity)
-      + a.radius*mag(a.state.omega) + b.radius*mag(b.state.omega);
-    const scalar reach =
-        a.radius + b.radius + max(0.5*h*speed, lubrication_.range(gaps_[candidatei].cell));
-
-    return
-        magSqr(a.state.position - b.state.position - c.shift) > sqr(reach);
 }

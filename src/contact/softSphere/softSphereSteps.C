@@ -5,19 +5,38 @@
 void Foam::contactModels::softSphere::drift
 (
     PtrList<immersedBody>& bodies,
+    const label n,
     const scalar h,
     const vector& meshU
 )
 {
-    for (contactMover& m : movers_)
+    const scalar time = 0.5*n*h;
+
+    forAll(movers_, i)
     {
-        m.drift(bodies, h, meshU);
-        m.way += h*contactMovers::speed(m.state.U, meshU);
+        contactMover& m = movers_[i];
+
+        m.drift(bodies, n, 0.5*h, meshU);
+
+        const scalar speed = contactMovers::speed(m.state.U, meshU);
+        const scalar spin = m.round ? 0 : m.radius*mag(m.state.omega);
+
+        m.way += time*speed;
+        clearance_.setWay(i, m.way, m.way + 0.5*h*(speed + spin));
     }
 
-    for (candidate& c : candidates_)
+    if (slideSpeed_ > 0)
     {
-        c.shift += h*c.velocity;
+        slideTime_ += time;
+        clearance_.setSlide
+        (
+            slideTime_*slideSpeed_, (slideTime_ + 0.5*h)*slideSpeed_
+        );
+
+        for (candidate& c : candidates_)
+        {
+            c.shift += time*c.velocity;
+        }
     }
 }
 
@@ -31,6 +50,11 @@ Foam::scalar Foam::contactModels::softSphere::contactRadius
 {
     auto of = [&](const label mover, const vector& n)
     {
+        if (movers_[mover].round)
+        {
+            return movers_[mover].radius;
+        }
+
         const immersedBody& body = bodies[movers_[mover].body];
         const tensor R(body.state().orientation.R());
 
@@ -45,7 +69,10 @@ Foam::scalar Foam::contactModels::softSphere::contactRadius
 
 void Foam::contactModels::softSphere::sumForces(const bool remember)
 {
-    forces_ = rigidMomentum{Zero, Zero};
+    for (const touched& t : touched_)
+    {
+        forces_[t.mover] = rigidMomentum{Zero, Zero};
+    }
 
     for (touch& t : touches_)
     {
@@ -99,37 +126,50 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
 }
 
 
-void Foam::contactModels::softSphere::kick(const scalar h)
+void Foam::contactModels::softSphere::halfKick(const scalar h)
 {
-    // Half of it with the forces at its start, all with those in the middle
-    DynamicList<bodyState> start(movers_.size());
-
-    sumForces(false);
-
-    forAll(movers_, i)
+    for (touched& t : touched_)
     {
-        contactMover& m = movers_[i];
-        const rigidMomentum& F = forces_[i];
+        contactMover& m = movers_[t.mover];
+        const rigidMomentum& F = forces_[t.mover];
 
-        start.append(m.state);
+        t.U = m.state.U;
+        t.omega = m.state.omega;
         m.state.U += 0.5*h
            *(m.acceleration + cmptMultiply(m.inverseMass, F.linear));
         m.state.omega += 0.5*h*(m.spinRate + (m.inverseInertia & F.angular));
     }
+}
 
+
+void Foam::contactModels::softSphere::kick(const scalar h)
+{
+    // Half of it with the forces at its start, all with those in the middle
+    sumForces(false);
+    halfKick(h);
     sumForces(true);
     sumLosses(h);
     sumImpulses(h);
 
-    forAll(movers_, i)
+    for (const touched& t : touched_)
     {
-        contactMover& m = movers_[i];
-        const rigidMomentum& F = forces_[i];
+        movers_[t.mover].state.U = t.U;
+        movers_[t.mover].state.omega = t.omega;
+    }
+    for (contactMover& m : movers_)
+    {
+        m.state.U += h*m.acceleration;
+        m.state.omega += h*m.spinRate;
+    }
+    for (const touched& t : touched_)
+    {
+        contactMover& m = movers_[t.mover];
+        const rigidMomentum& F = forces_[t.mover];
         const vector dU(h*cmptMultiply(m.inverseMass, F.linear));
         const vector dOmega(h*(m.inverseInertia & F.angular));
 
-        m.state.U = start[i].U + h*m.acceleration + dU;
-        m.state.omega = start[i].omega + h*m.spinRate + dOmega;
+        m.state.U += dU;
+        m.state.omega += dOmega;
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;

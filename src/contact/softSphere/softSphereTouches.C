@@ -115,7 +115,7 @@ void Foam::contactModels::softSphere::addTouch
     t.contact.mass = 1/inverse.first();
     t.contact.tangentialMass = 1/inverse.second();
     t.contact.radius = contactRadius(bodies, c, point.normal);
-    t.contact.halfWidth = 0.5*movers_.width(bodies, c);
+    t.contact.halfWidth = 0.5*movers_.width(c);
 
     r.speed = r.live() ? r.speed : max(closing, scalar(0));
     t.contact.coefficients = coefficients(c, point).at(r.speed);
@@ -136,6 +136,20 @@ void Foam::contactModels::softSphere::addTouch
     r.normal = wall.normal;
     t.contact.time = r.time;
     touches_.append(t);
+    addTouched(c);
+}
+
+
+void Foam::contactModels::softSphere::addTouched(const candidate& c)
+{
+    for (const label mover : {c.a, c.b})
+    {
+        if (mover >= 0 && !isTouched_[mover])
+        {
+            isTouched_[mover] = true;
+            touched_.append(touched{mover, Zero, Zero});
+        }
+    }
 }
 
 
@@ -149,15 +163,18 @@ void Foam::contactModels::softSphere::meetWalls
 )
 {
     const contactMover& m = movers_[candidates_[candidatei].a];
-    const scalar closing =
-        mag(m.state.U) + m.radius*mag(m.state.omega)
-      + walls.maxSpeedBeside(m.body);
+    scalar reach = m.radius;
 
     // What the gap of a smooth body may close by in the sub-step, as the search
     // costs more within reach; films are of round ones
-    const bool near =
-        !m.round && bodies[m.body].shape().hasSupport();
-    const scalar reach = near ? h*closing : m.radius;
+    if (!m.round && bodies[m.body].shape().hasSupport())
+    {
+        reach = h
+           *(
+                mag(m.state.U) + m.radius*mag(m.state.omega)
+              + walls.maxSpeedBeside(m.body)
+            );
+    }
 
     m.place(bodies[m.body]);
 
@@ -170,44 +187,5 @@ void Foam::contactModels::softSphere::meetWalls
     {
         addTouch(bodies, candidatei, point, h, dt);
         addFilm(candidatei, point);
-    }
-}
-
-
-void Foam::contactModels::softSphere::findTouches
-(
-    PtrList<immersedBody>& bodies,
-    const wallFacets& walls,
-    const scalar h,
-    const scalar dt
-)
-{
-    touches_.clear();
-    films_.clear();
-
-    forAll(candidates_, i)
-    {
-        candidate& c = candidates_[i];
-        const label first = touches_.size();
-
-        if (c.b < 0)
-        {
-            meetWalls(bodies, walls, i, h, dt);
-        }
-        else if (!apart(i, h))
-        {
-            immersedBody& a = bodies[movers_[c.a].body];
-            immersedBody& b = bodies[movers_[c.b].body];
-
-            movers_[c.a].place(a);
-            movers_[c.b].place(b);
-
-            const contactPoint point(a, b, c.shift);
-
-            addTouch(bodies, i, point, h, dt);
-            addFilm(i, point);
-        }
-
-        endContacts(c, first);
     }
 }

@@ -117,6 +117,23 @@ Foam::scalar Foam::wallFacets::maxSpeed() const
 }
 
 
+Foam::scalar Foam::wallFacets::leastDistance
+(
+    const label bodyi,
+    const point& x
+) const
+{
+    scalar least = GREAT;
+
+    for (const facet& f : facets_[bodyi])
+    {
+        least = min(least, f.leastDistance(x));
+    }
+
+    return least;
+}
+
+
 Foam::scalar Foam::wallFacets::maxSpeedBeside(const label bodyi) const
 {
     scalar speed = 0;
