@@ -146,13 +146,19 @@ bool Foam::contactModels::softSphere::goThrough
     const scalar subDt = dt/n;
 
     // What ends a sub-step and begins the next is done at once
-    drift(bodies, 1, subDt, meshU);
+    const bool films = lubrication_.active();
+
+    drift(bodies, 1, subDt, 0, meshU);
     for (label i = 0; i < n; ++i)
     {
         findTouches(bodies, walls, subDt, dt);
         kick(subDt);
-        lubricate(subDt);
-        drift(bodies, i < n - 1 ? 2 : 1, subDt, meshU);
+        if (films)
+        {
+            accelerate(subDt);
+            lubricate(subDt);
+        }
+        drift(bodies, i < n - 1 ? 2 : 1, subDt, films ? 0 : subDt, meshU);
     }
     sumSprings(subDt);
     movers_.putBack(bodies);

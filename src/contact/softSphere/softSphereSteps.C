@@ -7,6 +7,7 @@ void Foam::contactModels::softSphere::drift
     PtrList<immersedBody>& bodies,
     const label n,
     const scalar h,
+    const scalar accelerated,
     const vector& meshU
 )
 {
@@ -16,6 +17,8 @@ void Foam::contactModels::softSphere::drift
     {
         contactMover& m = movers_[i];
 
+        m.state.U += accelerated*m.acceleration;
+        m.state.omega += accelerated*m.spinRate;
         m.drift(bodies, n, 0.5*h, meshU);
 
         const scalar speed = contactMovers::speed(m.state.U, meshU);
@@ -153,26 +156,26 @@ void Foam::contactModels::softSphere::kick(const scalar h)
 
     for (const touched& t : touched_)
     {
-        movers_[t.mover].state.U = t.U;
-        movers_[t.mover].state.omega = t.omega;
-    }
-    for (contactMover& m : movers_)
-    {
-        m.state.U += h*m.acceleration;
-        m.state.omega += h*m.spinRate;
-    }
-    for (const touched& t : touched_)
-    {
         contactMover& m = movers_[t.mover];
         const rigidMomentum& F = forces_[t.mover];
         const vector dU(h*cmptMultiply(m.inverseMass, F.linear));
         const vector dOmega(h*(m.inverseInertia & F.angular));
 
-        m.state.U += dU;
-        m.state.omega += dOmega;
+        m.state.U = t.U + dU;
+        m.state.omega = t.omega + dOmega;
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;
+    }
+}
+
+
+void Foam::contactModels::softSphere::accelerate(const scalar h)
+{
+    for (contactMover& m : movers_)
+    {
+        m.state.U += h*m.acceleration;
+        m.state.omega += h*m.spinRate;
     }
 }
 

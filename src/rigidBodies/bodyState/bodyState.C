@@ -63,7 +63,7 @@ void Foam::bodyState::move
     if (s > sqr(VSMALL))
     {
         orientation = rotation(half, s)*orientation;
-        orientation /= mag(orientation);
+        orientation *= 1/mag(orientation);
     }
 }
 

@@ -58,13 +58,22 @@ Foam::proximityMonitor::proximityMonitor
 
 bool Foam::proximityMonitor::note
 (
-    const string& pair,
+    const word& first,
+    const word& second,
     const scalar gap,
     const scalar h,
     const scalar width
 )
 {
     const bool overlap = gap < -0.5*allowed_*width;
+
+    // Nothing to say of nearly all
+    if (!overlap && (contact_ || gap >= h))
+    {
+        return false;
+    }
+
+    const string pair(first + " and " + second);
 
     if (!contact_ && gap < h && reported_.insert(pair))
     {
@@ -105,7 +114,8 @@ bool Foam::proximityMonitor::checkPair
 
     return note
     (
-        a.name() + " and " + b.name(),
+        a.name(),
+        b.name(),
         contactPoint(a, b, pair.shift).gap,
         max(margin(a, h[pair.a]), margin(b, h[pair.b])),
         min(a.shape().width(), b.shape().width())
@@ -155,7 +165,8 @@ bool Foam::proximityMonitor::check
         overlap =
             note
             (
-                bodies[i].name() + " and a wall",
+                bodies[i].name(),
+                "a wall",
                 wallGaps[i],
                 h[i],
                 bodies[i].shape().width()
