@@ -137,11 +137,9 @@ def test_impact_on_the_wall_of_a_drum(tmp_path):
     )
 
 
-@pytest.mark.parametrize("dt", (0.05, 0.2))
-def test_a_grain_that_runs_round_in_a_tube_of_few_sides(dt, tmp_path):
-    # Half a side to one and a half in a time step: where the smooth wall is may
-    # not depend on how far the grain goes
-    case = BodyCase("tube", tmp_path)
+def runs_round(folder, dt, ranks=1, parts=None):
+    """Velocities of a grain that runs round in a tube of 16 sides."""
+    case = BodyCase("tube", folder, f"tube{ranks}")
     roundTube.write(case, uniform(-1, 1, 4), 0.3)
     conditions(case, {".*": "type noSlip;"})
     case.run("blockMesh")
@@ -152,12 +150,24 @@ def test_a_grain_that_runs_round_in_a_tube_of_few_sides(dt, tmp_path):
         " restitution 0.9; friction 0; collisionTime 0.02; subSteps 20; }",
     )
     case.controls(endTime=20, deltaT=dt)
-    case.solve()
-
+    case.solve(ranks, parts)
     motion = case.table("motion")
-    speed = np.linalg.norm([motion[f"velocity_{c}"] for c in "xyz"], axis=0)
+    return np.array([motion[f"velocity_{c}"] for c in "xyz"])
+
+
+@pytest.mark.parametrize("dt", (0.05, 0.2))
+def test_a_grain_that_runs_round_in_a_tube_of_few_sides(dt, tmp_path):
+    # Half a side to one and a half in a time step: where the smooth wall is may
+    # not depend on how far the grain goes
+    speed = np.linalg.norm(runs_round(tmp_path, dt), axis=0)
     assert max(speed) < 1.002
     assert speed[-1] == pytest.approx(0.95, abs=0.05)
+
+
+def test_a_tube_is_as_smooth_where_processors_meet(tmp_path):
+    one = runs_round(tmp_path, 0.2)
+    four = runs_round(tmp_path, 0.2, 4, (1, 2, 2))
+    assert four == pytest.approx(one, abs=1e-6)
 
 
 MATERIALS = (
