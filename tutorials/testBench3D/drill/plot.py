@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws what is read off the drill, plots/*.png, prints it, and writes
-postProcessing/drill/0/drill.dat, a table of
-one row, for studies."""
+postProcessing/drill/0/drill.dat, a table of one row, for studies."""
 
 import pathlib
 import sys
@@ -15,26 +14,29 @@ from benchPlots import gp, plt
 from drillStatistics import Drill
 from grainfoam.study import analysis
 
-PLANES = ("afterBend", "underHead")
+PLANES = {"afterBend": "behind the bend", "underHead": "under the head"}
 
 
 def shares(run, file):
     found, numbers = run.shares(), run.outlets()
     counts = found["counts"]
     share, even = counts/counts.sum(), 1/len(counts)
+    outlets = run.bench["head"]["outlets"]
     figure, ax = plt.subplots(figsize=(7.5, 3.8))
     ax.bar(numbers, 100*share, color="C1",
            yerr=100*np.abs(found["interval"].T - share), capsize=3)
     band = 1.96*np.sqrt(even*(1 - even)/counts.sum())
-    ax.axhspan(100*(even - band), 100*(even + band), color="k", alpha=0.15,
+    ax.axhspan(100*(even - band), 100*(even + band), color="0.85", zorder=0,
                label="95 % of single outlets if by chance")
     ax.axhline(100*even, color="k", linestyle=":", linewidth=1)
     value, low, high = found["variation"]
     ax.set(xlabel="outlet (1: the outer side of the bend)",
            ylabel="share of the grains [%]",
-           xticks=range(1, run.bench["head"]["outlets"] + 1),
+           xticks=range(1, outlets + 1), xlim=(0.4, outlets + 0.6),
            title=f"{counts.sum()} grains, CV {value:.1%} ({low:.1%} to "
                  f"{high:.1%}), by chance {found['chance'][0]:.1%}")
+    for number in set(range(1, outlets + 1)) - set(numbers):
+        ax.text(number, 0.5, "closed", rotation=90, ha="center", va="bottom")
     ax.grid(axis="x", visible=False)
     ax.set_ylim(top=1.2*ax.get_ylim()[1])
     ax.legend(loc="upper right")
@@ -53,13 +55,14 @@ def section(run, file):
         figure.colorbar(image, ax=row[0], label="speed [m/s]")
         row[0].add_patch(plt.Circle((0, 0), 1, fill=False))
         row[0].set(aspect="equal", xlabel="x/R, + is outside", ylabel="y/R",
-                   title=f"{name}, {len(r)} grains")
+                   title=f"{PLANES[name]}, {len(r)} grains")
         edges = np.sqrt(np.linspace(0, 1, 11))
         density(row[1], r, edges, "r/R, rings of one area")
         for values, label in ((x, "x"), (y, "y")):
             diametral(row[2], values, label)
         density(row[3], np.degrees(angle) % 360, np.linspace(0, 360, 17),
                 "angle [degrees]")
+        row[3].set_xticks(range(0, 361, 90))
         row[2].legend()
     gp.save(figure, file)
 
@@ -103,7 +106,8 @@ def speeds(run, file):
         rows = [(edges[i:i + 2].mean(), speed[part == i].mean(),
                  1.96*speed[part == i].std()/np.sqrt((part == i).sum()))
                 for i in range(8) if (part == i).sum() > 2]
-        ax.errorbar(*np.array(rows).T, marker="o", capsize=3, label=name)
+        ax.errorbar(*np.array(rows).T, marker="o", capsize=3,
+                    label=PLANES.get(name, name))
     ax.set(xlabel="radius over R", ylabel="axial speed [m/s]", ylim=(0, None))
     ax.legend()
     gp.save(figure, file)
