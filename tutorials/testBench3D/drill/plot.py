@@ -183,6 +183,9 @@ def report(run):
 
 def main():
     run = Drill(here)
+    if not run.blocks().sum():
+        sys.exit("No seed has left through an outlet after the filling:"
+                 " see postProcessing/immersedBodies for where they are")
     plots = here/"plots"
     for name, draw in (("shares", shares), ("section", section),
                        ("speed", speeds), ("spacing", spacing),
