@@ -183,9 +183,10 @@ def report(run):
 
 def main():
     run = Drill(here)
-    if not run.blocks().sum():
-        sys.exit("No seed has left through an outlet after the filling:"
-                 " see postProcessing/immersedBodies for where they are")
+    number = run.blocks().sum()
+    if number < 20:
+        sys.exit(f"{number} seeds have left after the filling, too few to draw:"
+                 " is the air fast enough for them?")
     plots = here/"plots"
     for name, draw in (("shares", shares), ("section", section),
                        ("speed", speeds), ("spacing", spacing),
