@@ -44,6 +44,12 @@ scalar fade(const scalar x, const scalar start, const scalar end)
     return x > start ? Foam::max((end - x)/(end - start), 0) : 1;
 }
 
+//- Value i of a list, zero if it is empty
+scalar valueOf(const Foam::scalarField& values, const Foam::label i)
+{
+    return values.empty() ? 0 : values[i];
+}
+
 //- Sharper curvatures, times the cell size, are taken for this one
 const scalar sharpest = 1.0/3.0;
 
@@ -129,11 +135,13 @@ Foam::tmp<Foam::scalarField> Foam::resistanceModels::exponential::bends
     const UList<scalar>& h
 ) const
 {
-    tmp<scalarField> tbends(new scalarField(h.size(), Zero));
+    tmp<scalarField> tbends(new scalarField);
 
     if (bend_ > 0)
     {
         scalarField& bends = tbends.ref();
+        bends.setSize(h.size());
+
         const tensor R(body.state().orientation.R());
 
         body.shape().curvature(vectorField(R.T() & vectorField(n)), bends);
@@ -158,7 +166,8 @@ void Foam::resistanceModels::exponential::setShield
 
     forAll(region.cells, i)
     {
-        region.shield[i] = shieldAt(region.distance[i]/region.h[i], bend[i]);
+        region.shield[i] =
+            shieldAt(region.distance[i]/region.h[i], valueOf(bend, i));
     }
 
     const scalarField faceBend(bends(body, region.faceNormal, region.faceH));
@@ -166,7 +175,10 @@ void Foam::resistanceModels::exponential::setShield
     forAll(region.faces, i)
     {
         region.faceShield[i] =
-            shieldAt(region.faceDistance[i]/region.faceH[i], faceBend[i]);
+            shieldAt
+            (
+                region.faceDistance[i]/region.faceH[i], valueOf(faceBend, i)
+            );
     }
 }
 
@@ -188,7 +200,7 @@ void Foam::resistanceModels::exponential::setResistance
     {
         const label celli = region.cells[i];
         const scalar h = region.h[i];
-        const scalar ad = a*(region.distance[i]/h + 0.1*bend[i]);
+        const scalar ad = a*(region.distance[i]/h + 0.1*valueOf(bend, i));
 
         if (ad >= fadeEnd_)
         {
