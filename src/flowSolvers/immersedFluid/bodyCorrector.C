@@ -52,36 +52,6 @@ bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 }
 
 
-bool Foam::flowSolvers::immersedFluid::posed() const
-{
-    if (!iteration_.first() || bodies_.window().comoving())
-    {
-        return true;
-    }
-
-    // Through the mesh the first iteration knows the pressure of the old poses
-    // only, unless that of the layers has been found
-    if (!layers_.crowded() || !layers_.active())
-    {
-        return false;
-    }
-
-    // What it leaves in the loads is smoothed by the mass of bodies that are
-    // free, and of no others
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
-
-        if (body.resolved() && !body.isFree() && body.maxSpeed() > 0)
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
 void Foam::flowSolvers::immersedFluid::bodyCorrector
 (
     const ddtCoefficients& ddt
@@ -117,7 +87,16 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         iteration_.setReach(viscousReach_);
     }
 
-    iteration_.note(change, speed, free, posed(), acceleration_.active());
+    // Through the mesh, the first iteration knows the pressure of the old pose
+    // only
+    iteration_.note
+    (
+        change,
+        speed,
+        free,
+        !iteration_.first() || bodies_.window().comoving(),
+        acceleration_.active()
+    );
     if (oneSuffices())
     {
         iteration_.end();

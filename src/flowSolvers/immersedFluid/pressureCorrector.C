@@ -64,10 +64,6 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(divergence(phi_));
 
-    if (iteration_.first())
-    {
-        layers_.beginStep();
-    }
     layers_.begin(layersLag());
     if (layers_.active())
     {
@@ -192,7 +188,7 @@ bool Foam::flowSolvers::immersedFluid::layersLag() const
         iteration_.change() > sudden && lightest >= leastRatioAtStart;
 
     return
-        iteration_.number() > (layers_.crowded() ? 0 : start ? 1 : nPlain)
+        iteration_.number() > (start ? 1 : nPlain)
      && bodies_.anyFree()
      && viscousReach_ <= maxLayerReach
      && CoNum <= maxLayerCourant

@@ -12,10 +12,6 @@
 
 namespace
 {
-    //- Part of the cells in bands that are in several: from here on there is a
-    //  crowd
-    const Foam::scalar crowd = 0.02;
-
     //- Residual, over the first, and conjugate gradients that are enough
     const Foam::scalar relTol = 0.1;
     const Foam::label maxIter = 10;
@@ -46,16 +42,9 @@ Foam::layerProjection::layerProjection
         dp.mesh(),
         dimensionedScalar("1", dimless, 1)
     ),
-    active_(false),
-    crowded_(false)
+    active_(false)
 {
     dp.mesh().setFluxRequired(q_.name());
-}
-
-
-void Foam::layerProjection::beginStep()
-{
-    crowded_ = region_.overlap() > crowd;
 }
 
 

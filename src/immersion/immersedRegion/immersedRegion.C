@@ -71,22 +71,6 @@ Foam::immersedRegion::immersedRegion
 }
 
 
-Foam::scalar Foam::immersedRegion::overlap() const
-{
-    // With those in several bands as often as they are there
-    label all = 0;
-
-    for (const bodyRegion& region : regions_)
-    {
-        all += region.cells.size();
-    }
-
-    const scalar once = returnReduce(cells_.size(), sumOp<label>());
-
-    return (returnReduce(all, sumOp<label>()) - once)/max(once, 1);
-}
-
-
 void Foam::immersedRegion::updateResistance
 (
     const PtrList<immersedBody>& bodies,

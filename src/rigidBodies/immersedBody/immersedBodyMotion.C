@@ -35,6 +35,17 @@ void setComponents
     }
 }
 
+
+//- The change if it goes on as expected, otherwise, as in the transient of a
+//  sudden start, nothing
+Foam::vector trend(const Foam::vector& change, const Foam::vector& expected)
+{
+    return
+        Foam::mag(change - expected) < 0.5*Foam::mag(change)
+      ? change
+      : Foam::vector::zero;
+}
+
 } // End anonymous namespace
 
 
@@ -96,8 +107,8 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 
     if (isFree())
     {
-        state_.U += trendU_.next(ratio);
-        state_.omega += trendOmega_.next(ratio);
+        state_.U += ratio*trendU_;
+        state_.omega += ratio*trendOmega_;
     }
 }
 
@@ -105,17 +116,15 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 void Foam::immersedBody::endStep(const scalar ratio)
 {
     // Contact comes and goes
-    trendU_.note
+    trendU_ = trend
     (
         state_.U - contactU_ - old_.U,
-        ratio*(old_.U - oldContactU_ - oldOld_.U),
-        ratio
+        ratio*(old_.U - oldContactU_ - oldOld_.U)
     );
-    trendOmega_.note
+    trendOmega_ = trend
     (
         state_.omega - contactOmega_ - old_.omega,
-        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega),
-        ratio
+        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega)
     );
 }
 

@@ -134,12 +134,8 @@ void Foam::outerIteration::note
 )
 {
     const scalar rate = min(change/max(speedChange_, VSMALL), slowest);
-
-    // After a first one within the tolerance the second says nothing of a rate
-    const bool noRate =
-        first() || (number_ == 2 && firstChange_ <= tolerance_);
     const scalar later =
-        noRate ? 1 : max(rate/(1 - rate), combined ? slowFactor : 1);
+        first() ? 1 : max(rate/(1 - rate), combined ? slowFactor : 1);
     const scalar enough =
         max(tolerance_/later, min(tolerance_, closeEnough))*speed;
 
