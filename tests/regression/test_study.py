@@ -192,6 +192,26 @@ def test_combinations(case):
         {"a": 0, "b": 1}, {"a": 0.5, "b": 10}, {"a": 1, "b": 100}]
 
 
+def test_groups_of_parameters(case):
+    """Values of a group go together, all of one group with all of another."""
+    text = ("parameters { a { values (1 2); } b { values (0 5 7); }"
+            " c { values (8 9); } } combine ((a c) b);")
+    assert [s.name for s in all_states(case, text)] == [
+        f"a{a}_b{b}_c{a + 7}" for a in (1, 2) for b in (0, 5, 7)]
+
+
+def test_where(case):
+    """A part of the states: others are run when they are asked for."""
+    write(case, RUN + 'where "x > 4";')
+    assert study(case, "-where", "x == 3").returncode == 0
+    assert list(table(case)) == ["x3"]
+    assert study(case).returncode == 0
+    assert list(table(case)) == ["x4.5", "x6"]
+    write(case, RUN)
+    assert "3 of 3 states are there" in study(case).stdout
+    assert (case/"runs.3").read_text().count("\n") == 1
+
+
 @pytest.mark.parametrize("text, message", [
     ("parameter { }", "the nearest valid one is 'parameters'"),
     ("parameters { x { } }", "needs one of values"),
@@ -203,6 +223,14 @@ def test_combinations(case):
     ("parameters { x { values (1 2); } y { values (1); } } combine zip;",
      "as many values of each"),
     ("parameters { x { values (1); } } combine zipp;", "one of product zip"),
+    ("parameters { x { values (1 2); } y { values (1); } } combine ((x y));",
+     "as many values of each"),
+    ("parameters { x { values (1); } y { values (1); } } combine (x z);",
+     "each of these once: x y"),
+    ("parameters { x { values (1); } } where \"x > 1\";",
+     "no state is as 'where' says"),
+    ("parameters { x { values (1); } } where \"z > 1\";",
+     "cannot be evaluated"),
     ("parameters { x { file constant/properties; entry nu2; values (1); } }",
      "has no entry 'nu2'"),
     ("parameters { x { file system/none; entry nu; values (1); } }",

@@ -11,7 +11,7 @@ from . import dictionary, plots, results, runner, states
 
 KEYWORDS = {
     "parameters", "combine", "draws", "seed", "set", "folder", "copy", "link",
-    "commands", "results", "plots",
+    "commands", "results", "plots", "where",
 }
 
 
@@ -30,6 +30,9 @@ def arguments():
                         help="states at a time, by default one per processor")
     parser.add_argument("-draws", type=int,
                         help="number of draws, in place of the study's")
+    parser.add_argument("-where",
+                        help="only states for which this expression of"
+                        " parameters is true, in place of the study's")
     parser.add_argument("-retry", action="store_true",
                         help="run states that failed again")
     parser.add_argument("-list", action="store_true",
@@ -48,6 +51,8 @@ def main():
         study.check(KEYWORDS)
         if given.draws is not None:
             study.entries["draws"] = given.draws
+        if given.where is not None:
+            study.entries["where"] = given.where
         all_states = states.states(study)
         if given.list:
             for state in all_states:

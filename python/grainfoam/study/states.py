@@ -114,8 +114,40 @@ def state_name(values):
     return re.sub(r"[^\w.+-]", "", "_".join(words))
 
 
+def groups(study, names):
+    """Names of parameters by `combine`: values of one group go together, all
+    of a group with all of another."""
+    combine = study.get("combine", "product")
+    if isinstance(combine, list):
+        found = [g if isinstance(g, list) else [g] for g in combine]
+        if sorted(map(str, sum(found, []))) != sorted(names):
+            raise study.error("'combine' has to name each of these once:"
+                              f" {' '.join(names)}; and is {shown(combine)}")
+        return found
+    if study.choice("combine", ("product", "zip"), "product") == "zip":
+        return [names] if names else []
+    return [[name] for name in names]
+
+
+def combinations(study, parameters):
+    """{name: value} of parameters that are not random, for each state."""
+    values = {p.name: p.values() for p in parameters}
+    together = []
+    for names in groups(study, list(values)):
+        columns = [values[name] for name in names]
+        lengths = {len(column) for column in columns}
+        if len(lengths) > 1:
+            raise study.error("'combine' needs as many values of each of"
+                              f" {' '.join(names)}, and there are"
+                              f" {sorted(lengths)}")
+        together.append([dict(zip(names, row)) for row in zip(*columns)])
+    for parts in itertools.product(*together):
+        found = {name: v for part in parts for name, v in part.items()}
+        yield {name: found[name] for name in values}
+
+
 def states(study):
-    """All states, in the order of the study's file."""
+    """All states that `where` wants, in the order of the study's file."""
     block = study.dictionaries("parameters")
     if not block and "draws" not in study:
         raise study.error("needs an entry 'parameters' with at least one, or"
@@ -123,16 +155,6 @@ def states(study):
     parameters = [parameter(*item) for item in block.items()]
     ordered = [p for p in parameters if not p.is_random]
     drawn = [p for p in parameters if p.is_random]
-    columns = [p.values() for p in ordered]
-
-    if study.choice("combine", ("product", "zip"), "product") == "zip":
-        lengths = {len(column) for column in columns}
-        if len(lengths) > 1:
-            raise study.error("'combine zip' needs as many values of each"
-                              f" parameter, and there are {sorted(lengths)}")
-        combined = list(zip(*columns)) if columns else [()]
-    else:
-        combined = list(itertools.product(*columns))
 
     if drawn and "draws" not in study:
         raise drawn[0].where.error(
@@ -142,9 +164,9 @@ def states(study):
     seed = study.whole("seed", 1)
 
     found = []
-    for values in combined:
+    for values in combinations(study, ordered):
         for draw in draws:
-            names = {p.name: v for p, v in zip(ordered, values)}
+            names = dict(values)
             label = dict(names)
             if draw is not None:
                 label["draw"] = draw
@@ -159,6 +181,12 @@ def states(study):
                              f" {state.name}: {seen[state.name].parameters} and"
                              f" {state.parameters}")
         seen[state.name] = state
+
+    if "where" in study:
+        wanted = study.get("where")
+        found = [s for s in found if evaluate(wanted, s.parameters, study)]
+        if not found:
+            raise study.error(f"no state is as 'where' says: {shown(wanted)}")
     return found
 
 
