@@ -139,10 +139,24 @@ class Run(Result):
             if not may_fail:
                 raise
             self.failed = True
-        log = (case.path / "log.foamRun").read_text()
+        self.read_log(case.path)
+
+    def read_log(self, folder):
+        """Run time, time steps and outer iterations."""
+        log = (folder / "log.foamRun").read_text()
         times = re.findall(r"ExecutionTime = (\S+) s", log)
         progress = re.findall(r"outer iterations (\d+)( \(not conv)?", log)
         self.cpu = float(times[-1]) if times else 0.0
         self.outers = [int(number) for number, _ in progress]
         self.steps = len(self.outers)
         self.converged = sum(not failed for _, failed in progress)
+
+
+class StateRun(Run):
+    """The run of a state of a study, in its folder; status: of its table."""
+
+    def __init__(self, folder, status, settings, D_over_h):
+        self.path = folder
+        Result.__init__(self, settings, D_over_h, number_of_cells(self))
+        self.failed = status != "finished"
+        self.read_log(folder)
