@@ -125,16 +125,25 @@ scalar discOf(const resistanceModel& model, const scalar h)
     return (r*Foam::sqrt((s - 1)/(s + 1)) - R)/h;
 }
 
+
+
+//- A mesh, which the models ask for
+std::unique_ptr<fvMesh> oneCell(const Time& time)
+{
+    testTools::boxMesh box;
+    box.x = {{{0, 1}, {0, 1}, {0, 1}}};
+    box.sides = {{"zz", "zz", "zz"}};
+
+    return box.make(time);
+}
+
 } // End anonymous namespace
 
 
 TEST_CASE("The exponential layer has its wall at the surface", "[exponential]")
 {
     const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-    box.x = {{{0, 1}, {0, 1}, {0, 1}}};
-    box.sides = {{"zz", "zz", "zz"}};
-    const auto mesh(box.make(time));
+    const auto mesh(oneCell(time));
 
     const resistanceModels::exponential fixed(dict(""), *mesh, false);
     const resistanceModels::exponential moving(dict(""), *mesh, true);
@@ -166,10 +175,7 @@ TEST_CASE("The exponential layer has its wall at the surface", "[exponential]")
 TEST_CASE("The layer of a disc that turns", "[exponential]")
 {
     const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-    box.x = {{{0, 1}, {0, 1}, {0, 1}}};
-    box.sides = {{"zz", "zz", "zz"}};
-    const auto mesh(box.make(time));
+    const auto mesh(oneCell(time));
 
     const resistanceModels::exponential fixed(dict(""), *mesh, false);
     const resistanceModels::exponential moving(dict(""), *mesh, true);
