@@ -38,7 +38,8 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
     const bodyState old(body.state());
     body.beginStep();
 
-    const scalar change = body.correctVelocity(load, ddt, g);
+    const scalar addedMass = GENERATE(0.0, 0.5);
+    const scalar change = body.correctVelocity(load, ddt, g, addedMass);
 
     const vector dU(body.state().U - old.U);
     const vector dOmega(body.state().omega - old.omega);
@@ -50,7 +51,7 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
     // of a light body is damped.
     const scalarSquareMatrix G(load.block());
     const scalar V = body.volume(), I = 0.4*0.25*V;
-    const scalar mass = ratio - 1 + 0.5*max(1 - ratio, 0);
+    const scalar mass = ratio - 1 + max(addedMass, 0.5*max(1 - ratio, 0));
     const scalar inertia = ratio - 1 + 0.1*max(1 - ratio, 0);
 
     for (direction k = 0; k < 3; ++k)

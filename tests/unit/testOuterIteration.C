@@ -78,11 +78,11 @@ TEST_CASE("What slow iterations would still change", "[outerIteration]")
     for (const scalar change : {1., 0.002, 0.0011})
     {
         iteration.next();
-        iteration.note(change, 1, true, true, true);
+        iteration.note(change, 1, true, true, outerIteration::rate::slow);
         CHECK(!iteration.converged());
     }
     iteration.next();
-    iteration.note(0.001, 1, true, true, true);
+    iteration.note(0.001, 1, true, true, outerIteration::rate::slow);
     CHECK(iteration.converged());
 
     // The slowest end at 1e-4

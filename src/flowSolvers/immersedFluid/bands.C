@@ -44,6 +44,15 @@ bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
 }
 
 
+Foam::scalar Foam::flowSolvers::immersedFluid::enough() const
+{
+    // As long as the first iteration was right for those that have converged
+    return bodies_.crowded() && layers_.active() && bandsSuffice()
+      ? iteration_.enough()
+      : 0;
+}
+
+
 bool Foam::flowSolvers::immersedFluid::mayWait() const
 {
     // A flow rate is held everywhere, and options may be for all cells

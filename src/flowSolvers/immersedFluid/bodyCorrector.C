@@ -43,6 +43,18 @@ Foam::scalar Foam::flowSolvers::immersedFluid::speedLimit
 }
 
 
+Foam::scalar Foam::flowSolvers::immersedFluid::bodySpeed() const
+{
+    // A body that hardly moves yet is compared with the fluid, one at rest on
+    // others with what keeps it there
+    return max
+    (
+        max(bodies_.maxSpeed(), bodies_.contactSpeed()),
+        0.01*fluidSpeed()
+    );
+}
+
+
 bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 {
     return !bodies_.moving()
@@ -52,33 +64,65 @@ bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 }
 
 
+bool Foam::flowSolvers::immersedFluid::posed() const
+{
+    if (!iteration_.first() || bodies_.window().comoving())
+    {
+        return true;
+    }
+
+    // Through the mesh the first iteration knows the pressure of the old poses
+    // only, unless that of the layers has been found
+    if (!bodies_.crowded() || !layers_.active())
+    {
+        return false;
+    }
+
+    // What it leaves in the loads is smoothed by the mass of bodies that are
+    // free, and of no others
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        if (body.resolved() && !body.isFree() && body.maxSpeed() > 0)
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+Foam::outerIteration::rate Foam::flowSolvers::immersedFluid::rate() const
+{
+    return
+        acceleration_.active() ? outerIteration::rate::slow
+      : bodies_.crowded() ? outerIteration::rate::third
+      : outerIteration::rate::measured;
+}
+
+
 void Foam::flowSolvers::immersedFluid::bodyCorrector
 (
     const ddtCoefficients& ddt
 )
 {
     const bool free = bodies_.anyFree();
+    const scalar ofBodies = bodies_.correct
+    (
+        ddt,
+        momentum_.matrix(),
+        momentum_.A(),
+        U_,
+        momentum_.drive(correction_.gradP())(),
+        correction_.dU(),
+        free && iteration_.first()
+    );
     const scalar change = max
     (
-        bodies_.correct
-        (
-            ddt,
-            momentum_.matrix(),
-            momentum_.A(),
-            U_,
-            momentum_.drive(correction_.gradP())(),
-            correction_.dU(),
-            free && iteration_.first()
-        ),
+        max(ofBodies, bodies_.correctCrowd(p_, 1/ddt.c)),
         acceleration_.jump()
-    );
-
-    // A body that hardly moves yet is compared with the fluid, one at rest on
-    // others with what keeps it there
-    const scalar speed = max
-    (
-        max(bodies_.maxSpeed(), bodies_.contactSpeed()),
-        0.01*fluidSpeed()
     );
 
     if (iteration_.first())
@@ -87,16 +131,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         iteration_.setReach(viscousReach_);
     }
 
-    // Through the mesh, the first iteration knows the pressure of the old pose
-    // only
-    iteration_.note
-    (
-        change,
-        speed,
-        free,
-        !iteration_.first() || bodies_.window().comoving(),
-        acceleration_.active()
-    );
+    iteration_.note(change, bodySpeed(), free, posed(), rate());
     if (oneSuffices())
     {
         iteration_.end();

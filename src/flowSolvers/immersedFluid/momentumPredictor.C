@@ -46,6 +46,11 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         return;
     }
 
+    if (bodies_.someWait())
+    {
+        // The matrix is to be that of all
+        bodies_.predict(true);
+    }
     correction_.complete(1/ddt.c);
     momentum_.clear();
     if (!momentum_.stokes())

@@ -57,7 +57,7 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
             bodies_.beginStep();
         }
     }
-    bodies_.predict(!iteration_.first());
+    bodies_.predict(!iteration_.first(), enough());
 }
 
 

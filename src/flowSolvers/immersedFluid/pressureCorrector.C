@@ -188,7 +188,7 @@ bool Foam::flowSolvers::immersedFluid::layersLag() const
         iteration_.change() > sudden && lightest >= leastRatioAtStart;
 
     return
-        iteration_.number() > (start ? 1 : nPlain)
+        iteration_.number() > (bodies_.crowded() ? 0 : start ? 1 : nPlain)
      && bodies_.anyFree()
      && viscousReach_ <= maxLayerReach
      && CoNum <= maxLayerCourant

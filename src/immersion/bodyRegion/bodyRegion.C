@@ -177,6 +177,43 @@ bool Foam::bodyRegion::follow(const immersedBody& body)
 }
 
 
+Foam::autoPtr<Foam::bodyRegion> Foam::bodyRegion::part
+(
+    const bitSet& inCells,
+    const bitSet& onFaces
+) const
+{
+    autoPtr<bodyRegion> some(new bodyRegion(body_, image_));
+    bodyRegion& one = some();
+
+    one.same_ = true;
+
+    forAll(cells, i)
+    {
+        if (inCells.test(cells[i]))
+        {
+            one.cells.append(cells[i]);
+            one.x.append(x[i]);
+            one.resistance.append(resistance[i]);
+            one.shield.append(shield[i]);
+            one.share.append(share[i]);
+        }
+    }
+    forAll(faces, i)
+    {
+        if (onFaces.test(faces[i]))
+        {
+            one.faces.append(faces[i]);
+            one.faceX.append(faceX[i]);
+            one.faceShield.append(faceShield[i]);
+            one.faceShare.append(faceShare[i]);
+        }
+    }
+
+    return some;
+}
+
+
 bool Foam::bodyRegion::clear()
 {
     const bool some = searchMargin_ > 0;

@@ -23,6 +23,7 @@ Foam::immersedRegion::immersedRegion
     coupled_(false),
     resistance_(resistanceModel::New(dict, mesh, bodiesMove)),
     regions_(bodies.size()),
+    selection_(mesh),
     K_
     (
         IOobject("resistance", mesh.time().timeName(), mesh),
@@ -71,6 +72,22 @@ Foam::immersedRegion::immersedRegion
 }
 
 
+Foam::scalar Foam::immersedRegion::overlap() const
+{
+    // With those in several bands as often as they are there
+    label all = 0;
+
+    for (const bodyRegion& region : regions_)
+    {
+        all += region.cells.size();
+    }
+
+    const scalar once = returnReduce(cells_.size(), sumOp<label>());
+
+    return (returnReduce(all, sumOp<label>()) - once)/max(once, 1);
+}
+
+
 void Foam::immersedRegion::updateResistance
 (
     const PtrList<immersedBody>& bodies,
@@ -85,9 +102,11 @@ void Foam::immersedRegion::updateResistance
     }
 
     scalarField& K = K_.primitiveFieldRef();
-    UIndirectList<scalar>(K, cells_) = 0;
+    UIndirectList<scalar>(K, cells()) = 0;
 
-    for (bodyRegion& region : regions_)
+    UPtrList<bodyRegion> regions(worked());
+
+    for (bodyRegion& region : regions)
     {
         if (!(again && region.same()))
         {
@@ -113,11 +132,13 @@ void Foam::immersedRegion::updateVelocity
 {
     const vectorField& Sf = mesh_.faceAreas();
 
-    UIndirectList<vector>(KU_, cells_) = vector::zero;
-    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
-    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
+    UIndirectList<vector>(KU_, cells()) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells()) = vector::zero;
+    UIndirectList<scalar>(bodyFlux_, faces()) = 0;
 
-    for (const bodyRegion& region : regions_)
+    const UPtrList<bodyRegion> regions(worked());
+
+    for (const bodyRegion& region : regions)
     {
         const immersedBody& body = bodies[region.body()];
         const bodyState& state = body.state();

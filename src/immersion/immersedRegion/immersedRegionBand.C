@@ -22,7 +22,7 @@ void Foam::immersedRegion::addConvection
     const surfaceScalarField& weights = mesh_.weights();
     const List<vectorField> neighbourU(coupledValues(U));
 
-    for (const label celli : cells_)
+    for (const label celli : cells())
     {
         for (const auto& n : neighbours_.of(celli))
         {
@@ -60,18 +60,19 @@ Foam::label Foam::immersedRegion::relax
     volVectorField& U
 ) const
 {
-    vectorField f(cells_.size());
+    const labelUList& cells = this->cells();
+    vectorField f(cells.size());
 
     forAll(f, i)
     {
-        const label celli = cells_[i];
+        const label celli = cells[i];
 
         f[i] = KU_[celli] + shieldDU_[celli]
           - (1 - shield_[celli])*gradP[celli];
     }
 
-    bandRows rows(E0, neighbours_, cells_, K_, f);
-    const vectorField before(U.primitiveField(), cells_);
+    bandRows rows(E0, neighbours_, cells, K_, f);
+    const vectorField before(U.primitiveField(), cells);
     scalar first = 0;
 
     for (label sweep = 1; sweep <= maxSweeps; ++sweep)
@@ -94,7 +95,7 @@ Foam::label Foam::immersedRegion::relax
         // Rows that are not dominated by their diagonals
         if (change > 10*first)
         {
-            UIndirectList<vector>(U.primitiveFieldRef(), cells_) = before;
+            UIndirectList<vector>(U.primitiveFieldRef(), cells) = before;
             U.correctBoundaryConditions();
             return 0;
         }
@@ -107,9 +108,9 @@ Foam::label Foam::immersedRegion::relax
 void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
 {
     faces.clear();
-    UIndirectList<scalar>(weight_, cells_) = 1;
+    UIndirectList<scalar>(weight_, cells()) = 1;
 
-    for (const label celli : cells_)
+    for (const label celli : cells())
     {
         for (const auto& n : neighbours_.of(celli))
         {
@@ -134,7 +135,7 @@ void Foam::immersedRegion::bandFaces(DynamicList<label>& faces) const
         faces.append(facei);
     }
 
-    UIndirectList<scalar>(weight_, cells_) = 0;
+    UIndirectList<scalar>(weight_, cells()) = 0;
 }
 
 
@@ -170,8 +171,10 @@ Foam::DynamicList<Foam::label> Foam::immersedRegion::facesBeside() const
 
 void Foam::immersedRegion::bandAndBeside(DynamicList<label>& cells) const
 {
-    cells = cells_;
-    UIndirectList<scalar>(weight_, cells_) = 1;
+    const labelUList& inBands = this->cells();
+
+    cells = inBands;
+    UIndirectList<scalar>(weight_, cells) = 1;
 
     const DynamicList<label> beyond(facesBeside());
 
@@ -184,7 +187,7 @@ void Foam::immersedRegion::bandAndBeside(DynamicList<label>& cells) const
         }
     };
 
-    for (const label celli : cells_)
+    for (const label celli : inBands)
     {
         for (const auto& n : neighbours_.of(celli))
         {

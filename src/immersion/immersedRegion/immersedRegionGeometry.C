@@ -42,11 +42,13 @@ void Foam::immersedRegion::combineShields
     scalarField& total
 )
 {
+    UPtrList<bodyRegion> regions(worked());
+
     // One body: the flat field is its list
-    if (regions_.size() == 1)
+    if (regions_.size() == 1 && !selection_.few())
     {
-        regions_[0].*shares = regions_[0].*shields;
-        UIndirectList<scalar>(total, all) = regions_[0].*shields;
+        regions[0].*shares = regions[0].*shields;
+        UIndirectList<scalar>(total, all) = regions[0].*shields;
         return;
     }
 
@@ -58,7 +60,7 @@ void Foam::immersedRegion::combineShields
     UIndirectList<scalar>(total, all) = 0;
 
     // One less the product of the open parts, and sum of the shields
-    for (const bodyRegion& region : regions_)
+    for (const bodyRegion& region : regions)
     {
         forAll(region.*labels, i)
         {
@@ -76,7 +78,7 @@ void Foam::immersedRegion::combineShields
         }
     }
 
-    for (bodyRegion& region : regions_)
+    for (bodyRegion& region : regions)
     {
         region.*shares = region.*shields;
 
@@ -93,8 +95,31 @@ void Foam::immersedRegion::combineShields
 }
 
 
+void Foam::immersedRegion::combineShields()
+{
+    combineShields
+    (
+        &bodyRegion::cells,
+        &bodyRegion::shield,
+        &bodyRegion::share,
+        cells(),
+        shield_
+    );
+    combineShields
+    (
+        &bodyRegion::faces,
+        &bodyRegion::faceShield,
+        &bodyRegion::faceShare,
+        faces(),
+        faceShield_
+    );
+}
+
+
 void Foam::immersedRegion::added()
 {
+    selectAll();
+
     // Before the images
     const label bodyi = bodies().size() - 1;
 
@@ -110,6 +135,8 @@ void Foam::immersedRegion::added()
 
 void Foam::immersedRegion::removed(const label bodyi)
 {
+    selectAll();
+
     PtrList<bodyRegion> others(regions_.size());
     label n = 0;
 
@@ -131,13 +158,85 @@ bool Foam::immersedRegion::stillValid(const PtrList<immersedBody>& bodies) const
 {
     forAll(bodies, bodyi)
     {
-        if (!regions_[bodyi].stillValid(bodies[bodyi]))
+        if (selected(bodyi) && !regions_[bodyi].stillValid(bodies[bodyi]))
         {
             return false;
         }
     }
 
     return true;
+}
+
+
+Foam::UPtrList<Foam::bodyRegion> Foam::immersedRegion::worked()
+{
+    if (selection_.few())
+    {
+        return selection_.regionsAndParts();
+    }
+
+    UPtrList<bodyRegion> all(regions_.size());
+
+    forAll(all, i)
+    {
+        all.set(i, &regions_[i]);
+    }
+
+    return all;
+}
+
+
+void Foam::immersedRegion::selectAll()
+{
+    if (selection_.few())
+    {
+        selection_.selectAll();
+        ++version_;
+    }
+}
+
+
+Foam::bodyRegion::change Foam::immersedRegion::updateRegion
+(
+    const immersedBody& body,
+    const bool changed,
+    const bool again,
+    bodyRegion& region
+)
+{
+    const bodyRegion::change done =
+        region.update(body, search_, resistance_->bandWidth(), again);
+
+    // One that is new may have been placed in the mesh before
+    if (changed || done != bodyRegion::change::none)
+    {
+        resistance_->setShield(body, region);
+    }
+
+    return done;
+}
+
+
+void Foam::immersedRegion::updateFew(const PtrList<immersedBody>& bodies)
+{
+    selection_.clearBands();
+
+    // Where they have been they leave something
+    selection_.addBands();
+
+    for (bodyRegion& region : selection_.regions())
+    {
+        updateRegion(bodies[region.body()], false, true, region);
+    }
+
+    selection_.addBands();
+
+    DynamicList<label> faces;
+    bandFaces(faces);
+    selection_.addFaces(faces);
+    selection_.findParts(regions_);
+    combineShields();
+    ++version_;
 }
 
 
@@ -148,9 +247,19 @@ void Foam::immersedRegion::updateGeometry
     const bool again
 )
 {
-    // By the bodies alone, which are the same on all processors
-    same_ = again && !changed && stillValid(bodies);
+    if (changed || !again)
+    {
+        selectAll();
+    }
 
+    // By the bodies alone, which are the same on all processors
+    same_ = again && !changed && !selection_.over() && stillValid(bodies);
+
+    if (selection_.few())
+    {
+        updateFew(bodies);
+        return;
+    }
     if (same_)
     {
         return;
@@ -159,7 +268,7 @@ void Foam::immersedRegion::updateGeometry
     updateImages(bodies);
 
     typedef bodyRegion::change change;
-    bool moved = changed, anew = changed;
+    bool moved = changed || selection_.over(), anew = moved;
 
     for (bodyRegion& region : regions_)
     {
@@ -167,17 +276,10 @@ void Foam::immersedRegion::updateGeometry
 
         if (body.resolved())
         {
-            const change done =
-                region.update(body, search_, resistance_->bandWidth(), again);
+            const change done = updateRegion(body, changed, again, region);
 
             moved = moved || done != change::none;
             anew = anew || done == change::anew;
-
-            // One that is new may have been placed in the mesh before
-            if (changed || done != change::none)
-            {
-                resistance_->setShield(body, region);
-            }
         }
         else if (region.clear())
         {
@@ -194,23 +296,22 @@ void Foam::immersedRegion::updateGeometry
     {
         collect();
     }
+    combineShields();
+}
 
-    combineShields
-    (
-        &bodyRegion::cells,
-        &bodyRegion::shield,
-        &bodyRegion::share,
-        cells_,
-        shield_
-    );
-    combineShields
-    (
-        &bodyRegion::faces,
-        &bodyRegion::faceShield,
-        &bodyRegion::faceShare,
-        faces_,
-        faceShield_
-    );
+
+void Foam::immersedRegion::clearSums
+(
+    const labelUList& cells,
+    const labelUList& faces
+)
+{
+    UIndirectList<scalar>(K_.primitiveFieldRef(), cells) = 0;
+    UIndirectList<vector>(KU_, cells) = vector::zero;
+    UIndirectList<vector>(shieldDU_, cells) = vector::zero;
+    UIndirectList<scalar>(shield_, cells) = 0;
+    UIndirectList<scalar>(faceShield_, faces) = 0;
+    UIndirectList<scalar>(bodyFlux_, faces) = 0;
 }
 
 
@@ -218,13 +319,9 @@ void Foam::immersedRegion::collect()
 {
     ++version_;
 
-    UIndirectList<scalar>(K_.primitiveFieldRef(), cells_) = 0;
-    UIndirectList<vector>(KU_, cells_) = vector::zero;
-    UIndirectList<vector>(shieldDU_, cells_) = vector::zero;
-    UIndirectList<scalar>(shield_, cells_) = 0;
-    UIndirectList<scalar>(faceShield_, faces_) = 0;
-    UIndirectList<scalar>(bodyFlux_, faces_) = 0;
-
+    clearSums(cells_, faces_);
+    clearSums(selection_.cells(), selection_.faces());
+    selection_.clearBands();
     unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
     unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
 }

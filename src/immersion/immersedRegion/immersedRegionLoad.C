@@ -47,7 +47,7 @@ void Foam::immersedRegion::setFluidPart
     const List<vectorField> neighbourU(coupledValues(U));
     const scalarField& K = K_;
 
-    for (const label celli : cells_)
+    for (const label celli : cells())
     {
         if (K[celli] > 0)
         {
@@ -73,24 +73,30 @@ void Foam::immersedRegion::load
 {
     setFluidPart(E0, U, gradP);
 
-    for (bodyLoad& load : loads)
+    forAll(loads, bodyi)
     {
-        load.clearLoad();
+        if (selected(bodyi))
+        {
+            loads[bodyi].clearLoad();
+        }
     }
 
     for (bodyRegion& region : regions_)
     {
-        addLoad
-        (
-            bodies[region.body()],
-            ddt,
-            A0,
-            U,
-            gradP,
-            dU,
-            region,
-            loads[region.body()]
-        );
+        if (selected(region.body()))
+        {
+            addLoad
+            (
+                bodies[region.body()],
+                ddt,
+                A0,
+                U,
+                gradP,
+                dU,
+                region,
+                loads[region.body()]
+            );
+        }
     }
 
     if (!response)

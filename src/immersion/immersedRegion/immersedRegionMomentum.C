@@ -28,7 +28,7 @@ void Foam::immersedRegion::penalise
     replaced.rows.clear();
     replaced.patches.clear();
 
-    for (const label celli : cells_)
+    for (const label celli : cells())
     {
         const scalar scale = A0[celli]/(A0[celli] + K[celli]);
 
@@ -77,7 +77,7 @@ void Foam::immersedRegion::unpenalise
     scalarField& diag = E.diag();
     label row = 0, patch = 0;
 
-    for (const label celli : cells_)
+    for (const label celli : cells())
     {
         diag[celli] = replaced.rows[row++];
 
@@ -103,7 +103,7 @@ void Foam::immersedRegion::shieldFlux(surfaceScalarField& phi) const
 
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
-    for (const label facei : faces_)
+    for (const label facei : faces())
     {
         const scalar open = 1 - faceShield_[facei];
 

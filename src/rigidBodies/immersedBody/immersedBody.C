@@ -83,7 +83,7 @@ void Foam::immersedBody::enter(const point& position, const bool ambient)
 void Foam::immersedBody::restart()
 {
     old_ = oldOld_ = state_;
-    trendU_ = trendOmega_ = Zero;
+    trendU_ = trendOmega_ = velocityTrend();
     contactU_ = contactOmega_ = oldContactU_ = oldContactOmega_ = Zero;
     contactForce_ = rigidMomentum{Zero, Zero};
 }

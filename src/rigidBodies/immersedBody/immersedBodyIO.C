@@ -282,8 +282,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
     dict.readIfPresent("startOrientation", startOrientation_);
 
     state_ = bodyState(dict);
-    trendU_ = dict.lookupOrDefault<vector>("velocityTrend", Zero);
-    trendOmega_ = dict.lookupOrDefault<vector>("angularVelocityTrend", Zero);
+    trendU_ = velocityTrend(dict, "velocity");
+    trendOmega_ = velocityTrend(dict, "angularVelocity");
 
     wrapped_ = dict.lookupOrDefault<vector>("wrapped", Zero);
     contactU_ = dict.lookupOrDefault<vector>("contactVelocity", Zero);
@@ -296,7 +296,8 @@ void Foam::immersedBody::readState(const dictionary& dict)
     {
         state_.U = state_.omega = Zero;
         old_ = oldOld_ = state_;
-        trendU_ = trendOmega_ = contactU_ = contactOmega_ = Zero;
+        trendU_ = trendOmega_ = velocityTrend();
+        contactU_ = contactOmega_ = Zero;
     }
 
     ambientU_ = ambientOmega_ = dict.lookupOrDefault("ambient", false);
@@ -347,8 +348,8 @@ void Foam::immersedBody::writeState(Ostream& os) const
     }
 
     state_.write(os);
-    os.writeEntry("velocityTrend", trendU_);
-    os.writeEntry("angularVelocityTrend", trendOmega_);
+    trendU_.write(os, "velocity");
+    trendOmega_.write(os, "angularVelocity");
 
     if (wrapped_ != vector::zero)
     {

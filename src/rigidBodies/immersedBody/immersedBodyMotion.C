@@ -35,17 +35,6 @@ void setComponents
     }
 }
 
-
-//- The change if it goes on as expected, otherwise, as in the transient of a
-//  sudden start, nothing
-Foam::vector trend(const Foam::vector& change, const Foam::vector& expected)
-{
-    return
-        Foam::mag(change - expected) < 0.5*Foam::mag(change)
-      ? change
-      : Foam::vector::zero;
-}
-
 } // End anonymous namespace
 
 
@@ -94,7 +83,7 @@ void Foam::immersedBody::startPrescribed(const scalar t)
 }
 
 
-void Foam::immersedBody::beginStep(const scalar ratio)
+void Foam::immersedBody::beginStep(const scalar ratio, const bool bent)
 {
     oldOld_ = old_;
     old_ = state_;
@@ -107,24 +96,28 @@ void Foam::immersedBody::beginStep(const scalar ratio)
 
     if (isFree())
     {
-        state_.U += ratio*trendU_;
-        state_.omega += ratio*trendOmega_;
+        state_.U += trendU_.next(ratio, bent);
+        state_.omega += trendOmega_.next(ratio, bent);
     }
 }
 
 
-void Foam::immersedBody::endStep(const scalar ratio)
+void Foam::immersedBody::endStep(const scalar ratio, const bool bent)
 {
     // Contact comes and goes
-    trendU_ = trend
+    trendU_.note
     (
         state_.U - contactU_ - old_.U,
-        ratio*(old_.U - oldContactU_ - oldOld_.U)
+        ratio*(old_.U - oldContactU_ - oldOld_.U),
+        ratio,
+        bent
     );
-    trendOmega_ = trend
+    trendOmega_.note
     (
         state_.omega - contactOmega_ - old_.omega,
-        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega)
+        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega),
+        ratio,
+        bent
     );
 }
 
@@ -235,7 +228,8 @@ Foam::immersedBody::momentum(const bodyState& state) const
 Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 (
     const bodyLoad& load,
-    const scalar ddtCoeff
+    const scalar ddtCoeff,
+    const scalar addedMass
 ) const
 {
     // The fluid inside is in the load already, hence r - 1. The projection adds
@@ -249,7 +243,8 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
     scalarSquareMatrix J(load.block());
 
     const scalar mass =
-        ddtCoeff*volume()*(densityRatio_ - 1 + 0.5*lightness);
+        ddtCoeff*volume()
+       *(densityRatio_ - 1 + max(addedMass, 0.5*lightness));
     const scalar inertiaRatio =
         ddtCoeff*(densityRatio_ - 1 + 0.1*lightness);
 
@@ -301,7 +296,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
 (
     const bodyLoad& load,
     const ddtCoefficients& ddt,
-    const vector& g
+    const vector& g,
+    const scalar addedMass
 )
 {
     const bodyLoad before(load_);
@@ -325,7 +321,7 @@ Foam::scalar Foam::immersedBody::correctVelocity
         return held;
     }
 
-    scalarSquareMatrix J(jacobian(load_, ddt.c));
+    scalarSquareMatrix J(jacobian(load_, ddt.c, addedMass));
     rigidMomentum residual
     (
         (densityRatio_ - 1)*ddtMomentum_

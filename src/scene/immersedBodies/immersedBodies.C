@@ -108,6 +108,7 @@ Foam::immersedBodies::immersedBodies
         )
     ),
     sleep_(dict, g_, contact_->active(), window_.comoving()),
+    crowd_(bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
     region_

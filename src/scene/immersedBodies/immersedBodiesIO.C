@@ -94,6 +94,7 @@ bool Foam::immersedBodies::readState()
     passage_->readState(states, bodies_);
     contact_->readState(states);
     sleep_.readState(states, bodies_);
+    crowd_.readState(states);
 
     const scalarList h
     (
@@ -211,6 +212,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     passage_->writeState(os);
     contact_->writeState(os);
     sleep_.writeState(bodies_, os);
+    crowd_.writeState(os);
 
     // As text, whatever the format
     os.writeKeyword("cellSizes") << token::BEGIN_LIST;

@@ -12,24 +12,29 @@ void Foam::immersedBodies::reduceLoads(const bool response)
     }
 
     const label n = response ? bodyLoad::nPacked : bodyLoad::nPackedLoad;
+    const auto measured = [&](const label bodyi)
+    {
+        return bodies_[bodyi].resolved() && region_.selected(bodyi);
+    };
     scalarField packed(n*nResolved());
     label at = 0;
 
     forAll(loads_, bodyi)
     {
-        if (bodies_[bodyi].resolved())
+        if (measured(bodyi))
         {
             loads_[bodyi].pack(packed, at, n);
             at += n;
         }
     }
 
+    packed.resize(at);
     compat::allReduce(packed, plusEqOp<scalar>());
     at = 0;
 
     forAll(loads_, bodyi)
     {
-        if (bodies_[bodyi].resolved())
+        if (measured(bodyi))
         {
             loads_[bodyi].unpack(packed, at, n);
             at += n;
@@ -57,39 +62,43 @@ Foam::scalar Foam::immersedBodies::correct
 
         forAll(loads_, bodyi)
         {
-            loads_[bodyi].scale(nParts_[bodyi], response);
+            if (region_.selected(bodyi))
+            {
+                loads_[bodyi].scale(nParts_[bodyi], response);
+            }
         }
 
         reduceLoads(response);
         noteUnresolved();
     }
 
-    scalar change = 0;
+    scalar most = 0;
 
     forAll(bodies_, bodyi)
     {
         immersedBody& body = bodies_[bodyi];
 
-        if (!body.resolved())
+        if (!body.resolved() || !region_.selected(bodyi))
         {
-            // correctUnresolved() has moved it on
+            // correctUnresolved() has moved it on, or it stays as it is
             continue;
         }
 
         // One that is all but outside the mesh has nothing to go by
-        if (!body.isFree() || inMesh(bodyi))
-        {
-            change = max
+        const scalar change = !body.isFree() || inMesh(bodyi)
+          ? body.correctVelocity
             (
-                change,
-                body.correctVelocity(loads_[bodyi], ddt, g_)
-            );
-        }
+                loads_[bodyi], ddt, g_, crowd_.addedMass()
+            )
+          : 0;
+
+        crowd_.note(bodyi, change);
+        most = max(most, change);
     }
 
     window_.follow(bodies_);
 
-    return change;
+    return most;
 }
 
 

@@ -24,7 +24,7 @@ void Foam::immersedBodies::beginStep()
 
     for (immersedBody& body : bodies_)
     {
-        body.beginStep(steady_.active() ? 0 : stepRatio());
+        body.beginStep(steady_.active() ? 0 : stepRatio(), crowd_.active());
         body.prescribe(clock_);
     }
 
@@ -66,12 +66,24 @@ void Foam::immersedBodies::predictPoses()
 }
 
 
-void Foam::immersedBodies::predict(const bool again)
+void Foam::immersedBodies::predict(const bool again, const scalar enough)
 {
     addProfiling(predict, "immersedBodies::predict");
 
     predictPoses();
+    if (enough > 0)
+    {
+        region_.select(crowd_.unsettled(enough));
+    }
+    else
+    {
+        region_.selectAll();
+    }
     region_.updateGeometry(bodies_, false, again);
+    if (!again)
+    {
+        crowd_.find(region_);
+    }
     unresolved_->update(bodies_, h_);
 }
 
@@ -111,6 +123,14 @@ void Foam::immersedBodies::updateResistance
 
     region_.updateResistance(bodies_, A0, nu, again);
     region_.updateVelocity(bodies_, ddt);
+
+    forAll(bodies_, bodyi)
+    {
+        if (region_.selected(bodyi))
+        {
+            crowd_.give(bodyi);
+        }
+    }
 }
 
 
@@ -194,7 +214,7 @@ bool Foam::immersedBodies::endStep()
 
     for (immersedBody& body : bodies_)
     {
-        body.endStep(stepRatio());
+        body.endStep(stepRatio(), crowd_.active());
     }
 
     if (sleep_.active())

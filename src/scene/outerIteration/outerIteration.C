@@ -61,6 +61,7 @@ Foam::outerIteration::outerIteration
     firstChange_(0),
     change_(0),
     speedChange_(0),
+    enough_(0),
     limit_(0)
 {
     for (const word key : {"nOuterCorrectors", "minOuterCorrectors"})
@@ -130,15 +131,16 @@ void Foam::outerIteration::note
     const scalar speed,
     const bool free,
     const bool posed,
-    const bool combined
+    const rate goesOn
 )
 {
-    const scalar rate = min(change/max(speedChange_, VSMALL), slowest);
+    const scalar factor = min(change/max(speedChange_, VSMALL), slowest);
     const scalar later =
-        first() ? 1 : max(rate/(1 - rate), combined ? slowFactor : 1);
-    const scalar enough =
-        max(tolerance_/later, min(tolerance_, closeEnough))*speed;
+        goesOn == rate::third ? 0.5
+      : first() ? 1
+      : max(factor/(1 - factor), goesOn == rate::slow ? slowFactor : 1);
 
+    enough_ = max(tolerance_/later, min(tolerance_, closeEnough))*speed;
     speedChange_ = change;
     change_ = change/max(speed, VSMALL);
 
@@ -151,7 +153,7 @@ void Foam::outerIteration::note
         posed
      && number_ >= least_
      && (
-            change <= enough
+            change <= enough_
          || (!free && number_ >= lastForLoads)
         );
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyCrowd.H"
+
+namespace
+{
+    //- Free bodies, and part of the cells in bands that are in several of them,
+    //  from which on there is a crowd
+    const Foam::label many = 10;
+    const Foam::scalar close = 0.02;
+}
+
+
+Foam::bodyCrowd::bodyCrowd(bodyList& bodies)
+:
+    bodies_(bodies),
+    active_(false),
+    before_(false),
+    givenU_(bodies, Zero),
+    givenOmega_(bodies, Zero),
+    gradP_(bodies, Zero),
+    change_(bodies, 0)
+{}
+
+
+Foam::scalar Foam::bodyCrowd::addedMass() const
+{
+    return before_ ? 0.5 : 0;
+}
+
+
+void Foam::bodyCrowd::find(const immersedRegion& region)
+{
+    before_ = active_;
+
+    label nFree = 0;
+
+    for (const immersedBody& body : bodies_)
+    {
+        nFree += body.resolved() && body.isFree();
+    }
+
+    active_ = nFree >= many && region.overlap() > close;
+}
+
+
+void Foam::bodyCrowd::give(const label bodyi)
+{
+    givenU_[bodyi] = bodies_[bodyi].state().U;
+    givenOmega_[bodyi] = bodies_[bodyi].state().omega;
+}
+
+
+Foam::scalar Foam::bodyCrowd::follow
+(
+    const label bodyi,
+    const vector& gradP,
+    const scalar dt
+)
+{
+    const immersedBody& body = bodies_[bodyi];
+    const scalar part = body.isFree() ? 3/(2*body.densityRatio() + 1) : 1;
+
+    change_[bodyi] = part*dt*mag(gradP - gradP_[bodyi]);
+
+    return change_[bodyi];
+}
+
+
+Foam::bitSet Foam::bodyCrowd::unsettled(const scalar enough) const
+{
+    bitSet some(bodies_.size());
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+        const scalar change =
+            mag(body.state().U - givenU_[bodyi])
+          + body.shape().boundingRadius()
+           *mag(body.state().omega - givenOmega_[bodyi]);
+
+        if (body.resolved() && max(change, change_[bodyi]) > enough)
+        {
+            some.set(bodyi);
+        }
+    }
+
+    return some;
+}
+
+
+void Foam::bodyCrowd::readState(const dictionary& dict)
+{
+    active_ = dict.lookupOrDefault("crowd", false);
+}
+
+
+void Foam::bodyCrowd::writeState(Ostream& os) const
+{
+    if (active_)
+    {
+        os.writeEntry("crowd", true);
+    }
+}
