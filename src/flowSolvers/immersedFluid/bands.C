@@ -46,10 +46,7 @@ bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
 
 Foam::scalar Foam::flowSolvers::immersedFluid::enough() const
 {
-    // As long as the first iteration was right for those that have converged
-    return bodies_.crowded() && layers_.active() && bandsSuffice()
-      ? iteration_.enough()
-      : 0;
+    return crowdFollows() && bandsSuffice() ? iteration_.enough() : 0;
 }
 
 

@@ -64,22 +64,15 @@ bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 }
 
 
-bool Foam::flowSolvers::immersedFluid::posed() const
+bool Foam::flowSolvers::immersedFluid::crowdFollows() const
 {
-    if (!iteration_.first() || bodies_.window().comoving())
-    {
-        return true;
-    }
-
-    // Through the mesh the first iteration knows the pressure of the old poses
-    // only, unless that of the layers has been found
     if (!bodies_.crowded() || !layers_.active())
     {
         return false;
     }
 
-    // What it leaves in the loads is smoothed by the mass of bodies that are
-    // free, and of no others
+    // What the first iteration leaves in the loads is smoothed by the mass of
+    // bodies that are free, and of no others
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
         const immersedBody& body = bodies_[bodyi];
@@ -91,6 +84,17 @@ bool Foam::flowSolvers::immersedFluid::posed() const
     }
 
     return true;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::posed() const
+{
+    // Through the mesh the first iteration knows the pressure of the old poses
+    // only, unless that of the layers has been found
+    return
+        !iteration_.first()
+     || bodies_.window().comoving()
+     || crowdFollows();
 }
 
 
