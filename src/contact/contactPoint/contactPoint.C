@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactPoint.H"
-#include "FixedList.H"
 #include "separatingAxes.H"
+#include "separatingPlane.H"
 
 Foam::pointField Foam::contactPoint::surface(const immersedBody& body)
 {
@@ -72,79 +72,6 @@ void Foam::contactPoint::sample
 }
 
 
-void Foam::contactPoint::ascend
-(
-    const immersedBody& a,
-    const immersedBody& b,
-    const vector& shift
-)
-{
-    point xa, xb;
-
-    auto separation = [&](const vector& n)
-    {
-        xa = a.support(n);
-        xb = b.support(-n) + shift;
-        return n & (xb - xa);
-    };
-
-    // Begin with the best of the line of centres and of the normals of either
-    // towards the other
-    const point centrea(a.state().position);
-    const point centreb(b.state().position + shift);
-    const point seen(centrea - shift);
-    FixedList<vector, 3> starts(vector::zero);
-
-    starts[0] = normalised(centreb - centrea);
-    UList<vector> na(&starts[1], 1), nb(&starts[2], 1);
-    a.normal(UList<point>(const_cast<point*>(&centreb), 1), na);
-    b.normal(UList<point>(const_cast<point*>(&seen), 1), nb);
-    starts[2] *= -1;
-
-    gap = -GREAT;
-    for (const vector& n : starts)
-    {
-        const scalar s = separation(n);
-
-        if (magSqr(n) > 0.5 && s > gap)
-        {
-            gap = s;
-            normal = n;
-        }
-    }
-
-    const scalar R = a.shape().boundingRadius() + b.shape().boundingRadius();
-    scalar step = 1/R;
-    gap = separation(normal);
-    vector slope(xb - xa - gap*normal);
-
-    for (label i = 0; i < 200 && mag(slope) > 1e-8*R; ++i)
-    {
-        // To the other side only if that is better
-        vector n(normalised(normal + step*slope));
-        scalar s = separation(n);
-
-        for (label k = 0; k < 40 && s < gap; ++k)
-        {
-            step *= 0.3;
-            n = normalised(normal + step*slope);
-            s = separation(n);
-        }
-
-        const vector change(n - normal);
-        const vector newSlope(xb - xa - s*n);
-        const vector bend(slope - newSlope);
-
-        step = min(magSqr(change)/max(change & bend, VSMALL), 1e3/R);
-        normal = n;
-        slope = newSlope;
-        gap = s;
-    }
-
-    position = 0.5*(xa + xb);
-}
-
-
 void Foam::contactPoint::separate
 (
     const immersedBody& a,
@@ -179,6 +106,14 @@ void Foam::contactPoint::separate
 }
 
 
+Foam::contactPoint::contactPoint(const separatingPlane& planes)
+:
+    gap(planes.gap()),
+    normal(planes.normal()),
+    position(planes.position())
+{}
+
+
 Foam::contactPoint::contactPoint
 (
     const immersedBody& a,
@@ -201,7 +136,11 @@ Foam::contactPoint::contactPoint
 
     if (a.shape().hasSupport() && b.shape().hasSupport())
     {
-        ascend(a, b, shift);
+        separatingPlane planes(a, b, shift);
+
+        planes.begin();
+        planes.climb();
+        *this = contactPoint(planes);
         return;
     }
 

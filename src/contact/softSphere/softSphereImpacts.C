@@ -5,14 +5,6 @@
 namespace
 {
 
-//- Does a body of this shape meet a slope with one point, which goes over its
-//  surface smoothly
-bool smooth(const Foam::bodyShape& shape)
-{
-    return shape.round() || shape.hasSupport();
-}
-
-
 //- The point of the surface of such a body that is farthest in a direction
 Foam::point farthest(const Foam::immersedBody& body, const Foam::vector& n)
 {
@@ -33,7 +25,8 @@ bool Foam::contactModels::softSphere::meetSlope
 )
 {
     candidate& c = candidates_[candidatei];
-    const immersedBody& body = bodies[movers_[c.a].body];
+    const contactMover& m = movers_[c.a];
+    const immersedBody& body = bodies[m.body];
     const scalar s = coefficients(c, point).wallRoughness;
     const scalar closing =
         movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
@@ -58,7 +51,8 @@ bool Foam::contactModels::softSphere::meetSlope
     // No impact any more after that: it lies on the wall
     const bool lies = touches && r.age > 2*r.time;
 
-    if (lies && !smooth(body.shape()))
+    // What is smooth meets a slope with one point, which goes over its surface
+    if (lies && !m.smooth)
     {
         r.slope = Zero;
         return true;
@@ -70,7 +64,7 @@ bool Foam::contactModels::softSphere::meetSlope
     else if (!touches)
     {
         const vector& n = point.normal;
-        const vector U(movers_[c.a].state.U - point.wallU);
+        const vector U(m.state.U - point.wallU);
 
         r.slope = roughness_.slope(body, n, U - (U & n)*n + closing*n, s);
     }
@@ -93,15 +87,16 @@ void Foam::contactModels::softSphere::turn
     contactPoint& point
 ) const
 {
+    const candidate& c = candidates_[candidatei];
     const Foam::point at
     (
-        lies || !smooth(body.shape())
+        lies || !movers_[c.a].smooth
       ? point.position
       : farthest(body, r.slope)
     );
     const vector U
     (
-        movers_.relativeVelocity(candidates_[candidatei], at, point.wallU)
+        movers_.relativeVelocity(c, at, point.wallU)
     );
     const scalar met = U & r.slope;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "separatingPlane.H"
 #include "softSphere.H"
 
 bool Foam::contactModels::softSphere::touching(const candidate& c)
@@ -18,6 +19,7 @@ bool Foam::contactModels::softSphere::touching(const candidate& c)
 
 bool Foam::contactModels::softSphere::apart
 (
+    PtrList<immersedBody>& bodies,
     const label candidatei,
     const wallFacets& walls,
     const scalar h
@@ -25,53 +27,134 @@ bool Foam::contactModels::softSphere::apart
 {
     const candidate& c = candidates_[candidatei];
     const contactMover& a = movers_[c.a];
-    scalar gap = -a.radius - lubrication_.range(gaps_[candidatei].cell);
+
+    auto apartBy = [&](const scalar gap)
+    {
+        clearance_.measured(candidatei, gap);
+        return clearance_.apart(candidatei);
+    };
+
+    const scalar range = lubrication_.range(gaps_[candidatei].cell);
 
     if (c.b >= 0)
     {
         const contactMover& b = movers_[c.b];
+        const vector between(b.state.position + c.shift - a.state.position);
 
-        gap += mag(b.state.position + c.shift - a.state.position) - b.radius;
+        if (apartBy(mag(between) - a.radius - b.radius - range))
+        {
+            // They may turn a lot until they are looked at again
+            clearance_.setNormal(candidatei, Zero);
+            return true;
+        }
+
+        return false;
     }
-    else if (touching(c))
+    if (touching(c))
     {
         // The slopes of rough walls are not where the wall is
         return false;
     }
-    else
-    {
-        gap +=
+
+    const scalar shift = 0.5*h*walls.maxSpeedBeside(a.body);
+
+    if
+    (
+        apartBy
+        (
             walls.leastDistance(a.body, a.state.position)
-          - 0.5*h*walls.maxSpeedBeside(a.body);
+          - a.radius - range - shift
+        )
+    )
+    {
+        return true;
     }
+    if (a.round || !a.smooth)
+    {
+        return false;
+    }
+    a.place(bodies[a.body]);
 
-    clearance_.measured(candidatei, gap);
-
-    return clearance_.apart(candidatei);
+    return apartBy(walls.leastGap(a.body, bodies[a.body]) - shift);
 }
 
 
-Foam::contactPoint Foam::contactModels::softSphere::nearest
+bool Foam::contactModels::softSphere::nearestSmooth
+(
+    const immersedBody& a,
+    const immersedBody& b,
+    const label candidatei,
+    contactPoint& point
+)
+{
+    if (a.shape().round() || b.shape().round())
+    {
+        point = contactPoint(a, b, candidates_[candidatei].shift);
+        clearance_.measured(candidatei, point.gap);
+
+        return !clearance_.apart(candidatei);
+    }
+
+    // Films are between round bodies: surfaces may come as near as they like
+    separatingPlane planes(a, b, candidates_[candidatei].shift);
+    const vector known(clearance_.normal(candidatei));
+
+    if (known == vector::zero)
+    {
+        planes.begin();
+    }
+    else
+    {
+        planes.set(known);
+        clearance_.measured(candidatei, planes.gap());
+        if (clearance_.apart(candidatei))
+        {
+            return false;
+        }
+    }
+
+    planes.climb();
+    clearance_.setNormal(candidatei, planes.normal());
+    clearance_.measured(candidatei, planes.gap());
+    point = contactPoint(planes);
+
+    return !clearance_.apart(candidatei);
+}
+
+
+bool Foam::contactModels::softSphere::nearest
 (
     PtrList<immersedBody>& bodies,
-    const candidate& c
-) const
+    const label candidatei,
+    contactPoint& point
+)
 {
+    const candidate& c = candidates_[candidatei];
     const contactMover& a = movers_[c.a];
     const contactMover& b = movers_[c.b];
 
     if (a.round && b.round)
     {
-        return contactPoint
+        point = contactPoint
         (
             a.state.position, a.radius, b.state.position + c.shift, b.radius
         );
+        return true;
     }
 
-    a.place(bodies[a.body]);
-    b.place(bodies[b.body]);
+    immersedBody& bodya = bodies[a.body];
+    immersedBody& bodyb = bodies[b.body];
 
-    return contactPoint(bodies[a.body], bodies[b.body], c.shift);
+    a.place(bodya);
+    b.place(bodyb);
+
+    if (a.smooth && b.smooth)
+    {
+        return nearestSmooth(bodya, bodyb, candidatei, point);
+    }
+    point = contactPoint(bodya, bodyb, c.shift);
+
+    return true;
 }
 
 
@@ -100,17 +183,16 @@ void Foam::contactModels::softSphere::findTouches
 
         candidate& c = candidates_[i];
         const label first = touches_.size();
+        contactPoint point;
 
-        if (!apart(i, walls, h))
+        if (!apart(bodies, i, walls, h))
         {
             if (c.b < 0)
             {
                 meetWalls(bodies, walls, i, h, dt);
             }
-            else
+            else if (nearest(bodies, i, point))
             {
-                const contactPoint point(nearest(bodies, c));
-
                 addTouch(bodies, i, point, h, dt);
                 addFilm(i, point);
             }

@@ -25,7 +25,10 @@ void Foam::contactModels::softSphere::drift
         const scalar spin = m.round ? 0 : m.radius*mag(m.state.omega);
 
         m.way += time*speed;
-        clearance_.setWay(i, m.way, m.way + 0.5*h*(speed + spin));
+
+        const scalar way = m.way + m.turned;
+
+        clearance_.setWay(i, way, way + 0.5*h*(speed + spin));
     }
 
     if (slideSpeed_ > 0)

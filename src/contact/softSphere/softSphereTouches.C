@@ -167,7 +167,7 @@ void Foam::contactModels::softSphere::meetWalls
 
     // What the gap of a smooth body may close by in the sub-step, as the search
     // costs more within reach; films are of round ones
-    if (!m.round && bodies[m.body].shape().hasSupport())
+    if (!m.round && m.smooth)
     {
         reach = h
            *(

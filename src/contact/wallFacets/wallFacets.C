@@ -134,6 +134,31 @@ Foam::scalar Foam::wallFacets::leastDistance
 }
 
 
+Foam::scalar Foam::wallFacets::leastGap
+(
+    const label bodyi,
+    const immersedBody& body
+) const
+{
+    const scalar R = body.shape().boundingRadius();
+    scalar least = GREAT;
+
+    for (const facet& f : facets_[bodyi])
+    {
+        const scalar outside = f.leastDistance(body.state().position) - R;
+
+        if (outside < least)
+        {
+            const point lowest(body.support(-f.normal));
+
+            least = min(least, max(outside, f.leastHeight(lowest)));
+        }
+    }
+
+    return least;
+}
+
+
 Foam::scalar Foam::wallFacets::maxSpeedBeside(const label bodyi) const
 {
     scalar speed = 0;

@@ -134,6 +134,19 @@ Foam::point Foam::bodyShapes::ellipticShape::support(const vector& n) const
 }
 
 
+Foam::symmTensor Foam::bodyShapes::ellipticShape::ellipsoid() const
+{
+    const vector axes(inPlane(semiAxes_));
+    symmTensor A(Zero);
+
+    A.xx() = sqr(axes.x());
+    A.yy() = sqr(axes.y());
+    A.zz() = sqr(axes.z());
+
+    return A;
+}
+
+
 Foam::scalar Foam::bodyShapes::ellipticShape::contactRadius
 (
     const vector& n
