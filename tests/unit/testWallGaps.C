@@ -240,3 +240,24 @@ TEST_CASE("Contacts within a short reach are those of a long one", "[contact]")
 
     CHECK(nEdges > 30);
 }
+
+
+TEST_CASE("A floor hides no edge of another wall", "[contact]")
+{
+    // Deeper in the floor than in the plane of a low wall, whose edge it meets
+    Scene scene("");
+    immersedBody& body = scene.add
+    (
+        "type ellipsoid; semiAxes (0.4 0.4 0.4);", {0.13, 0, 0.35}, Zero
+    );
+    DynamicList<pointField> faces(floor(9));
+    faces.append(quad({0.5, -2, 0}, {0, 0, 0.3}, {0, 4, 0}));
+
+    const wallFacets wall(walls(faces));
+    const DynamicList<contactPoint> found(wall.contacts(0, body, 0.01));
+
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].gap == Approx(-0.05).margin(1e-12));
+    CHECK(found[1].gap == Approx(std::hypot(0.37, 0.05) - 0.4).margin(1e-9));
+    CHECK(difference(found[1].position, point(0.5, 0, 0.3)) < 1e-6);
+}
