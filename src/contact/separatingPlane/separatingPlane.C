@@ -11,7 +11,7 @@ Foam::separatingPlane::side::side
 :
     shape_(body.shape()),
     R_(body.state().orientation.R()),
-    ellipsoid_(transform(R_, shape_.ellipsoid())),
+    ellipsoid_(transform(R_, shape_.supportTensor())),
     centre(at)
 {}
 

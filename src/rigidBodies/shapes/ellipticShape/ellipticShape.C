@@ -134,7 +134,7 @@ Foam::point Foam::bodyShapes::ellipticShape::support(const vector& n) const
 }
 
 
-Foam::symmTensor Foam::bodyShapes::ellipticShape::ellipsoid() const
+Foam::symmTensor Foam::bodyShapes::ellipticShape::supportTensor() const
 {
     const vector axes(inPlane(semiAxes_));
     symmTensor A(Zero);
