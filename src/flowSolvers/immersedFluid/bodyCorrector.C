@@ -156,13 +156,17 @@ void Foam::flowSolvers::immersedFluid::watchChanges(const bool free)
 {
     // What is combined has no flux: of that which iterations change little. One
     // that has converged is combined if those before it were: slow parts of
-    // what is left are larger than what it has changed.
+    // what is left are larger than what it has changed. Those of a crowd are of
+    // other bodies each time.
     if (!iteration_.converged())
     {
         acceleration_.watch
         (
             iteration_.number(),
-            free && iteration_.more() && CoNum < maxAccelerated
+            free
+         && iteration_.more()
+         && CoNum < maxAccelerated
+         && !crowdFollows()
           ? iteration_.change()
           : 0,
             max(farEnough*iteration_.tolerance(), noise),
