@@ -125,7 +125,6 @@ void Foam::separatingPlane::climb()
         }
 
         set(normalised(before + change));
-       
 
         // To the other side only if that is better
         for (label k = 0; k < 40 && gap_ < least; ++k)
