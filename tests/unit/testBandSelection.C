@@ -87,6 +87,9 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
 
     bodies.beginStep();
     bodies.predict(false);
+    bodies.findCrowd(false);
+    CHECK(!bodies.crowded());
+    bodies.findCrowd(true);
     REQUIRE(bodies.crowded());
     bodies.updateResistance(ddt, A0, nu);
 

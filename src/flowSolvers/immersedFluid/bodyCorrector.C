@@ -102,7 +102,7 @@ Foam::outerIteration::rate Foam::flowSolvers::immersedFluid::rate() const
 {
     return
         acceleration_.active() ? outerIteration::rate::slow
-      : bodies_.crowded() ? outerIteration::rate::third
+      : crowdFollows() ? outerIteration::rate::third
       : outerIteration::rate::measured;
 }
 

@@ -59,8 +59,6 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     }
     if (iteration_.first())
     {
-        viscousReach_ = gMax(momentumTransport->nu()().primitiveField())
-           *runTime_.deltaTValue()/sqr(bodies_.minCellSize());
         extrapolateFlux();
         extrapolatePressure();
     }

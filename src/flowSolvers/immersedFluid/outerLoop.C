@@ -58,6 +58,13 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
         }
     }
     bodies_.predict(!iteration_.first(), enough());
+
+    if (iteration_.first())
+    {
+        viscousReach_ = gMax(momentumTransport->nu()().primitiveField())
+           *runTime_.deltaTValue()/sqr(bodies_.minCellSize());
+        bodies_.findCrowd(layersServe());
+    }
 }
 
 

@@ -175,24 +175,38 @@ void Foam::flowSolvers::immersedFluid::project
 }
 
 
-bool Foam::flowSolvers::immersedFluid::layersLag() const
+Foam::scalar Foam::flowSolvers::immersedFluid::leastDensityRatio() const
 {
-    scalar lightest = GREAT;
+    scalar least = GREAT;
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
-        lightest = min(lightest, bodies_[bodyi].densityRatio());
+        least = min(least, bodies_[bodyi].densityRatio());
     }
 
+    return least;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::layersServe() const
+{
+    return
+        bodies_.anyFree()
+     && viscousReach_ <= maxLayerReach
+     && CoNum <= maxLayerCourant
+     && leastDensityRatio() >= leastRatio;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::layersLag() const
+{
     const bool start =
-        iteration_.change() > sudden && lightest >= leastRatioAtStart;
+        iteration_.change() > sudden
+     && leastDensityRatio() >= leastRatioAtStart;
 
     return
         iteration_.number() > (bodies_.crowded() ? 0 : start ? 1 : nPlain)
-     && bodies_.anyFree()
-     && viscousReach_ <= maxLayerReach
-     && CoNum <= maxLayerCourant
-     && lightest >= leastRatio;
+     && layersServe();
 }
 
 

@@ -29,7 +29,7 @@ Foam::scalar Foam::bodyCrowd::addedMass() const
 }
 
 
-void Foam::bodyCrowd::find(const immersedRegion& region)
+void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
 {
     before_ = active_;
 
@@ -40,7 +40,7 @@ void Foam::bodyCrowd::find(const immersedRegion& region)
         nFree += body.resolved() && body.isFree();
     }
 
-    active_ = nFree >= many && region.overlap() > close;
+    active_ = may && nFree >= many && region.overlap() > close;
 }
 
 

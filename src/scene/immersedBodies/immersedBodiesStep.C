@@ -80,10 +80,6 @@ void Foam::immersedBodies::predict(const bool again, const scalar enough)
         region_.selectAll();
     }
     region_.updateGeometry(bodies_, false, again);
-    if (!again)
-    {
-        crowd_.find(region_);
-    }
     unresolved_->update(bodies_, h_);
 }
 
