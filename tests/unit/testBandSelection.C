@@ -92,6 +92,7 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     bodies.findCrowd(true);
     REQUIRE(bodies.crowded());
     bodies.updateResistance(ddt, A0, nu);
+    const given start(*mesh, bodies.region());
 
     // The first one moves, by less and by more than a hundredth of a cell
     const scalar move = GENERATE(0.01, 0.5);
@@ -129,4 +130,32 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     }
     CHECK(returnReduce(nChanged, sumOp<label>()) > 100);
     CHECK(returnReduce(nWrong, sumOp<label>()) == 0);
+
+    // The first goes on, then the last; and all are back where they began
+    velocities[0] *= 3;
+    bodies.setVelocities(velocities);
+    bodies.predict(true, 0.1*move);
+    bodies.updateResistance(ddt, A0, nu, true);
+    velocities[22] = vector(move, 0, 0);
+    bodies.setVelocities(velocities);
+    bodies.predict(true, 0.1*move);
+    CHECK(!bodies.region().selected(0));
+    CHECK(bodies.region().selected(11));
+
+    velocities = Zero;
+    bodies.setVelocities(velocities);
+    bodies.predict(true);
+    bodies.updateResistance(ddt, A0, nu, true);
+    const given end(*mesh, bodies.region());
+
+    // Nothing is left where they have been
+    label nLeft = 0;
+
+    forAll(end.K, celli)
+    {
+        nLeft += start.K[celli] == 0 && end.K[celli] > 0;
+    }
+    CHECK(returnReduce(nLeft, sumOp<label>()) == 0);
+    CHECK(gMax(mag(end.shield - start.shield)()) < 1e-4);
+    CHECK(gMax(mag(end.faceShield - start.faceShield)()) < 1e-4);
 }

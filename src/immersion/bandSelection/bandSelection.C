@@ -96,6 +96,14 @@ void Foam::bandSelection::clearBands()
     cells_.clear();
     faces_.clear();
     parts_.clear();
+}
+
+
+void Foam::bandSelection::forget()
+{
+    clearBands();
+    usedCells_.clear();
+    usedFaces_.clear();
     over_ = false;
 }
 
@@ -127,6 +135,9 @@ void Foam::bandSelection::addFaces(const UList<label>& faces)
 
 void Foam::bandSelection::findParts(const PtrList<bodyRegion>& all)
 {
+    usedCells_.append(cells_);
+    usedFaces_.append(faces_);
+
     label n = 0;
     parts_.clear();
     parts_.setSize(all.size());

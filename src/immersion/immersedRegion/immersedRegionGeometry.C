@@ -320,8 +320,8 @@ void Foam::immersedRegion::collect()
     ++version_;
 
     clearSums(cells_, faces_);
-    clearSums(selection_.cells(), selection_.faces());
-    selection_.clearBands();
+    clearSums(selection_.usedCells(), selection_.usedFaces());
+    selection_.forget();
     unite(regions_, &bodyRegion::cells, mesh_.nCells(), cells_);
     unite(regions_, &bodyRegion::faces, mesh_.nFaces(), faces_);
 }

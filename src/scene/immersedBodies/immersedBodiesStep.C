@@ -122,7 +122,7 @@ void Foam::immersedBodies::updateResistance
 
     forAll(bodies_, bodyi)
     {
-        if (region_.selected(bodyi))
+        if (crowd_.active() && region_.selected(bodyi))
         {
             crowd_.give(bodyi);
         }
