@@ -62,54 +62,18 @@ bool Foam::lineGrid::findSides(const direction k)
 }
 
 
-void Foam::lineGrid::findEnds
+void Foam::lineGrid::exchange
 (
     const direction k,
-    const std::function<scalar(label)>& value,
     const std::function<scalar(label)>& onPatch,
+    List<vector>& atEnds,
     ends& beyond
 ) const
 {
     const lines& along = lines_[k];
-    List<vector> values(mesh_.nFaces() - mesh_.nInternalFaces(), Zero);
-
-    const auto forSide = [&]
-    (
-        const label side,
-        const std::function<void(label, label)>& f
-    )
-    {
-        const label layer = side == 0 ? 0 : along.n - 1;
-
-        for (label slabi = 0; slabi < along.nSlabs; ++slabi)
-        {
-            for (label line = 0; line < along.nLines; ++line)
-            {
-                f(slabi*along.nLines + line, along.cell(slabi, layer, line));
-            }
-        }
-    };
-
-    for (label side = 0; side < 2; ++side)
-    {
-        const label inwards = side == 0 ? along.step : -along.step;
-
-        if (along.joined[side])
-        {
-            forSide(side, [&](const label p, const label celli)
-            {
-                values[along.sides[side][p]] = vector
-                (
-                    value(celli),
-                    value(celli + inwards),
-                    value(celli + 2*inwards)
-                );
-            });
-        }
-    }
 
     // Three values of a scalar; no patch is turned
-    syncTools::swapBoundaryFaceList(mesh_, values);
+    syncTools::swapBoundaryFaceList(mesh_, atEnds);
 
     for (label side = 0; side < 2; ++side)
     {
@@ -120,7 +84,7 @@ void Foam::lineGrid::findEnds
             const label face = along.sides[side][p];
 
             beyond[side][p] = along.joined[side]
-              ? values[face]
+              ? atEnds[face]
               : vector(onPatch(face), 0, 0);
         }
     }

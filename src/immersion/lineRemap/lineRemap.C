@@ -6,38 +6,9 @@
 Foam::lineRemap::lineRemap(autoPtr<lineGrid>&& grid)
 :
     grid_(std::move(grid)),
-    cells_(identity(grid_->mesh().nCells()))
+    cells_(identity(grid_->mesh().nCells())),
+    s_(grid_())
 {}
-
-
-Foam::FixedList<Foam::lineRemap::displacements, 3>
-Foam::lineRemap::sorted(const UList<vector>& s) const
-{
-    FixedList<displacements, 3> all;
-
-    for (direction k = 0; k < 3; ++k)
-    {
-        const lineGrid::lines& along = grid_->along(k);
-
-        all[k].faces = scalarField(along.nSlabs*along.nFaces(), Zero);
-        all[k].slabs = bitSet(along.nSlabs);
-    }
-
-    forAll(faces_, i)
-    {
-        const direction k = grid_->axis(faces_[i]);
-
-        if (s[i][k] != 0)
-        {
-            const label place = grid_->place(faces_[i]);
-
-            all[k].faces[place] = s[i][k];
-            all[k].slabs.set(place/grid_->along(k).nFaces());
-        }
-    }
-
-    return all;
-}
 
 
 Foam::vectorField Foam::lineRemap::gradients(const volScalarField& y) const
@@ -63,17 +34,14 @@ Foam::vectorField Foam::lineRemap::gradients(const volScalarField& y) const
         {
             slab.load(slabi, value, beyond);
             slab.differentiate();
-
-            for (label layer = 0; layer < along.n; ++layer)
-            {
-                const label celli = along.cell(slabi, layer, 0);
-
-                for (label line = 0; line < along.nLines; ++line)
+            along.forCells
+            (
+                slabi,
+                [&](const label celli, const label layer, const label line)
                 {
-                    grad[celli + line*along.next][k] =
-                        slab.derivative(layer)[line];
+                    grad[celli][k] = slab.derivative(layer, line);
                 }
-            }
+            );
         }
     }
 

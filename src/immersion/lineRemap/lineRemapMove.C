@@ -9,32 +9,27 @@ namespace
     //  half their way; of these, null if there are none
     struct partlyMoved
     {
-        const Foam::scalarField& y;
-        const Foam::scalarField* one;
-        const Foam::scalarField* other;
+        const Foam::scalar* y;
+        const Foam::scalar* one;
+        const Foam::scalar* other;
 
         Foam::scalar operator()(const Foam::label celli) const
         {
             return y[celli]
-              - 0.5
-               *(
-                    (one ? (*one)[celli] : 0) + (other ? (*other)[celli] : 0)
-                );
+              - 0.5*((one ? one[celli] : 0) + (other ? other[celli] : 0));
         }
     };
 }
 
 
-template<class Value>
-void Foam::lineRemap::changes
+template<class Value, class Function>
+void Foam::lineRemap::forChanges
 (
     const direction k,
-    const displacements& s,
     const Value& y,
     const values& onPatches,
     const bool smooth,
-    scalarField& change,
-    scalarField* swept
+    const Function& f
 ) const
 {
     const lineGrid::lines& along = grid_->along(k);
@@ -45,55 +40,60 @@ void Foam::lineRemap::changes
 
     for (label slabi = 0; slabi < along.nSlabs; ++slabi)
     {
-        if (!s.slabs.test(slabi))
+        if (!s_.any(k, slabi))
         {
+            along.forCells
+            (
+                slabi,
+                [&](const label celli, label, label) { f(celli, 0, 0); }
+            );
             continue;
         }
 
         slab.load(slabi, y, beyond);
-        slab.sweep(&s.faces[along.face(slabi, 0, 0)], smooth);
-
-        for (label layer = 0; layer < along.n; ++layer)
-        {
-            label celli = along.cell(slabi, layer, 0);
-            slab.sum(layer);
-
-            for (label line = 0; line < along.nLines; ++line)
+        slab.sweep(s_.slab(k, slabi), smooth);
+        along.forCells
+        (
+            slabi,
+            [&](const label celli, const label layer, const label line)
             {
-                change[celli] += slab.change(line);
+                const scalar swept = slab.swept(layer, line);
 
-                if (swept)
-                {
-                    (*swept)[celli] += slab.swept(line);
-                }
-                celli += along.next;
+                f(celli, swept, slab.change(layer, line, swept));
             }
-        }
+        );
     }
 }
 
 
-Foam::scalarField Foam::lineRemap::moveComponent
+void Foam::lineRemap::findChanges
 (
-    const FixedList<displacements, 3>& s,
     const List<direction>& axes,
-    const bool smooth,
-    moving& y
+    const values& onPatches,
+    const bool smooth
 ) const
 {
     const label n = axes.size();
-    scalarField& inside = y.inside;
-    scalarField swept(inside.size(), Zero), all(inside.size(), Zero);
-    FixedList<scalarField, 3> alone;
+    const scalar* const inside = one_.inside.cdata();
+    scalar* const change = one_.change.data();
+    scalar* const swept = one_.swept.data();
 
     for (label i = 0; i < n && n > 1; ++i)
     {
         const partlyMoved own{inside, nullptr, nullptr};
+        scalarField& alone = one_.alone[i];
 
-        alone[i] = scalarField(inside.size(), Zero);
-        changes
+        alone.resize(cells_.size());
+
+        scalar* const own_ = alone.data();
+
+        forChanges
         (
-            axes[i], s[axes[i]], own, y.onPatches, smooth, alone[i], nullptr
+            axes[i], own, onPatches, smooth,
+            [=](const label celli, scalar, const scalar ofCell)
+            {
+                own_[celli] = ofCell;
+            }
         );
     }
 
@@ -102,20 +102,26 @@ Foam::scalarField Foam::lineRemap::moveComponent
         const partlyMoved moved
         {
             inside,
-            n > 1 ? &alone[(i + 1) % n] : nullptr,
-            n > 2 ? &alone[(i + 2) % n] : nullptr
+            n > 1 ? one_.alone[(i + 1) % n].cdata() : nullptr,
+            n > 2 ? one_.alone[(i + 2) % n].cdata() : nullptr
         };
+        const bool more = i > 0;
 
-        changes
+        forChanges
         (
-            axes[i], s[axes[i]], moved, y.onPatches, smooth, all, &swept
+            axes[i], moved, onPatches, smooth,
+            [=]
+            (
+                const label celli,
+                const scalar sweptOver,
+                const scalar ofCell
+            )
+            {
+                change[celli] = (more ? change[celli] : 0) + ofCell;
+                swept[celli] = (more ? swept[celli] : 0) + sweptOver;
+            }
         );
     }
-
-    inside -= all;
-    swept *= grid_->mesh().V().field();
-
-    return swept;
 }
 
 
@@ -128,18 +134,33 @@ Foam::Field<Type> Foam::lineRemap::moveAll
     GeometricField<Type, fvPatchField, volMesh>& y
 ) const
 {
-    const FixedList<displacements, 3> byAxes(sorted(s));
-    Field<Type> swept(cells_.size());
+    const scalarField& V = grid_->mesh().V();
+    Field<Type>& values = y.primitiveFieldRef();
+    Field<Type> swept(values.size());
+
+    for
+    (
+        scalarField* field : {&one_.inside, &one_.change, &one_.swept}
+    )
+    {
+        field->resize(values.size(), Zero);
+    }
+    s_.set(s);
 
     for (direction cmpt = 0; cmpt < pTraits<Type>::nComponents; ++cmpt)
     {
-        moving one
+        forAll(values, celli)
         {
-            y.primitiveField().component(cmpt), onPatches(y, cmpt)
-        };
+            one_.inside[celli] = Foam::component(values[celli], cmpt);
+        }
 
-        swept.replace(cmpt, moveComponent(byAxes, axes, smooth, one));
-        y.primitiveFieldRef().replace(cmpt, one.inside);
+        findChanges(axes, onPatches(y, cmpt), smooth);
+
+        forAll(values, celli)
+        {
+            setComponent(values[celli], cmpt) -= one_.change[celli];
+            setComponent(swept[celli], cmpt) = V[celli]*one_.swept[celli];
+        }
     }
 
     return swept;

@@ -11,9 +11,13 @@ Foam::lineSweep::lineSweep(const lineGrid::lines& along)
     b_(y_.size(), Zero),
     s_(nullptr),
     sweptOver_(along.nFaces(), Zero),
-    swept_(nLines_),
-    change_(nLines_)
-{}
+    inverse_(along.widths.size(), Zero)
+{
+    forAll(inverse_, i)
+    {
+        inverse_[i] = along.widths[i] > 0 ? 1/along.widths[i] : 0;
+    }
+}
 
 
 void Foam::lineSweep::differences
@@ -99,25 +103,5 @@ void Foam::lineSweep::sweep(const scalar* displacements, const bool smooth)
                     )
                 );
         }
-    }
-}
-
-
-void Foam::lineSweep::sum(const label layer)
-{
-    const label at = lineGrid::lines::at(layer);
-    const scalar inverse = 1/along_.widths[at];
-    const scalar* const y = &y_[at*nLines_];
-    const scalar* const s = &s_[layer*nLines_];
-    const scalar* const over = &sweptOver_[layer*nLines_];
-    scalar* const swept = swept_.data();
-    scalar* const change = change_.data();
-
-    for (label line = 0; line < nLines_; ++line)
-    {
-        const label above = line + nLines_;
-
-        swept[line] = inverse*(over[above] - over[line]);
-        change[line] = swept[line] - inverse*(s[above] - s[line])*y[line];
     }
 }

@@ -66,27 +66,6 @@ void Foam::bodyLoad::clearResponse()
 }
 
 
-void Foam::bodyLoad::addForce(const vector& r, const vector& q)
-{
-    force += q;
-    torque += r^q;
-}
-
-
-void Foam::bodyLoad::addResponse
-(
-    const scalar aij,
-    const vector& ri,
-    const vector& rj
-)
-{
-    a += aij;
-    aRow += aij*ri;
-    aCol += aij*rj;
-    aRowCol += aij*(ri*rj);
-}
-
-
 void Foam::bodyLoad::symmetrise(const direction k)
 {
     force[k] = aRow[k] = aCol[k] = 0;

@@ -123,36 +123,51 @@ Foam::tensor Foam::immersedBody::inertia(const bodyState& state) const
 }
 
 
+Foam::pointField Foam::immersedBody::inBody(const UList<point>& x) const
+{
+    pointField X(x.size());
+
+    if (shape_->round())
+    {
+        // However it has turned
+        forAll(x, i)
+        {
+            X[i] = x[i] - state_.position;
+        }
+        return X;
+    }
+
+    const tensor toBody(state_.orientation.R().T());
+
+    forAll(x, i)
+    {
+        X[i] = toBody & (x[i] - state_.position);
+    }
+
+    return X;
+}
+
+
 void Foam::immersedBody::distance
 (
     const UList<point>& x,
     UList<scalar>& d
 ) const
 {
-    const tensor toBody(state_.orientation.R().T());
-    pointField X(x.size());
-
-    forAll(x, i)
-    {
-        X[i] = toBody & (x[i] - state_.position);
-    }
-
-    shape_->distance(X, d);
+    shape_->distance(inBody(x), d);
 }
 
 
 void Foam::immersedBody::normal(const UList<point>& x, UList<vector>& n) const
 {
-    const tensor R(state_.orientation.R());
-    const tensor toBody(R.T());
-    pointField X(x.size());
+    shape_->normal(inBody(x), n);
 
-    forAll(x, i)
+    if (shape_->round())
     {
-        X[i] = toBody & (x[i] - state_.position);
+        return;
     }
 
-    shape_->normal(X, n);
+    const tensor R(state_.orientation.R());
 
     forAll(n, i)
     {
