@@ -12,12 +12,6 @@
 
 namespace
 {
-    //- Outer iterations in which the projection alone is enough: most time
-    //  steps have no more. One, where that changed velocities by more than such
-    //  a part: a start from rest
-    const Foam::label nPlain = 2;
-    const Foam::scalar sudden = 0.3;
-
     //- Viscous reach, in cells, squared, and Courant number up to which the
     //  response of the fluid to the pressure is that of layerProjection
     const Foam::scalar maxLayerReach = 1.03;
@@ -186,6 +180,11 @@ Foam::scalar Foam::flowSolvers::immersedFluid::leastDensityRatio() const
 
     return least;
 }
+
+
+const Foam::label Foam::flowSolvers::immersedFluid::nPlain = 2;
+
+const Foam::scalar Foam::flowSolvers::immersedFluid::sudden = 0.3;
 
 
 bool Foam::flowSolvers::immersedFluid::layersServe() const

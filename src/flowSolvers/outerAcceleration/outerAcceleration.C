@@ -13,8 +13,10 @@ namespace
     const Foam::scalar slow = 0.5;
 
     //- Iterations that are combined only if changes grow, when each of them
-    //  has done what it can
+    //  has done what it can, and only those that change more than so many times
+    //  the least
     const Foam::label nPatient = 10;
+    const Foam::scalar large = 30;
 }
 
 
@@ -51,10 +53,11 @@ void Foam::outerAcceleration::watch
     const bool wait = patient && outer <= nPatient;
     const label last = wait ? nPlain + 1 : nPlain;
 
-    active_ =
-        outer > last
-     && change > least
-     && (active_ || change > (wait ? 1 : slow)*change_);
+    const bool begins = wait
+      ? change > max(change_, large*least)
+      : change > slow*change_;
+
+    active_ = outer > last && change > least && (active_ || begins);
     change_ = change;
 
     if (!active_)

@@ -18,15 +18,8 @@ Foam::bodyCrowd::bodyCrowd(bodyList& bodies)
     before_(false),
     givenU_(bodies, Zero),
     givenOmega_(bodies, Zero),
-    gradP_(bodies, Zero),
     change_(bodies, 0)
 {}
-
-
-Foam::scalar Foam::bodyCrowd::addedMass() const
-{
-    return before_ ? 0.5 : 0;
-}
 
 
 void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
@@ -48,22 +41,6 @@ void Foam::bodyCrowd::give(const label bodyi)
 {
     givenU_[bodyi] = bodies_[bodyi].state().U;
     givenOmega_[bodyi] = bodies_[bodyi].state().omega;
-}
-
-
-Foam::scalar Foam::bodyCrowd::follow
-(
-    const label bodyi,
-    const vector& gradP,
-    const scalar dt
-)
-{
-    const immersedBody& body = bodies_[bodyi];
-    const scalar part = body.isFree() ? 3/(2*body.densityRatio() + 1) : 1;
-
-    change_[bodyi] = part*dt*mag(gradP - gradP_[bodyi]);
-
-    return change_[bodyi];
 }
 
 

@@ -120,6 +120,7 @@ Foam::immersedBodies::immersedBodies
         bodies_,
         moving_
     ),
+    pressure_(bodies_, region_, periodicity_),
     frame_(new comovingDerivative(mesh, region_.neighbours())),
     proximity_(mesh, periodicity_, contact_()),
     nParts_(bodies_, 1),

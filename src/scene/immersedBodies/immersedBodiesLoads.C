@@ -51,7 +51,8 @@ Foam::scalar Foam::immersedBodies::correct
     const volVectorField& U,
     const vectorField& gradP,
     const vectorField& dU,
-    const bool response
+    const bool response,
+    const bool addedMass
 )
 {
     addProfiling(correct, "immersedBodies::correct");
@@ -72,6 +73,7 @@ Foam::scalar Foam::immersedBodies::correct
         noteUnresolved();
     }
 
+    const scalar added = !addedMass ? 0 : space_.twoD() ? 1 : 0.5;
     scalar most = 0;
 
     forAll(bodies_, bodyi)
@@ -88,7 +90,7 @@ Foam::scalar Foam::immersedBodies::correct
         const scalar change = !body.isFree() || inMesh(bodyi)
           ? body.correctVelocity
             (
-                loads_[bodyi], ddt, g_, crowd_.addedMass()
+                loads_[bodyi], ddt, g_, added
             )
           : 0;
 

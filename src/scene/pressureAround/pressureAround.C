@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pressureAround.H"
+#include "compat.H"
+
+Foam::pressureAround::pressureAround
+(
+    bodyList& bodies,
+    const immersedRegion& region,
+    const periodicity& periods
+)
+:
+    bodies_(bodies),
+    region_(region),
+    periods_(periods),
+    gradP_(bodies, Zero)
+{}
+
+
+Foam::vectorField Foam::pressureAround::gradients
+(
+    const scalarField& p
+) const
+{
+    // On both sides of each body: the sum of the values in the cells there,
+    // and their number
+    FixedList<vectorField, 2> sums(vectorField(bodies_.size(), Zero));
+    FixedList<vectorField, 2> numbers(sums);
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+        const scalar R = body.shape().boundingRadius();
+
+        for (direction k = 0; k < 3 && body.resolved(); ++k)
+        {
+            for (label side = 0; side < 2; ++side)
+            {
+                point x(body.state().position);
+                x[k] += side ? R : -R;
+
+                for (const auto& im : periods_.localImages(x, 0))
+                {
+                    const label celli =
+                        region_.search().findCell(x + im.shift);
+
+                    sums[side][bodyi][k] += celli >= 0 ? p[celli] : 0;
+                    numbers[side][bodyi][k] += celli >= 0;
+                }
+            }
+        }
+    }
+
+    for (label side = 0; side < 2; ++side)
+    {
+        compat::allReduce(sums[side], plusEqOp<vector>());
+        compat::allReduce(numbers[side], plusEqOp<vector>());
+    }
+
+    vectorField gradP(bodies_.size(), Zero);
+
+    forAll(gradP, bodyi)
+    {
+        const scalar width = 2*bodies_[bodyi].shape().boundingRadius();
+
+        for (direction k = 0; k < 3; ++k)
+        {
+            const scalar n0 = numbers[0][bodyi][k], n1 = numbers[1][bodyi][k];
+
+            if (n0 > 0 && n1 > 0)
+            {
+                gradP[bodyi][k] =
+                    (sums[1][bodyi][k]/n1 - sums[0][bodyi][k]/n0)/width;
+            }
+        }
+    }
+
+    return gradP;
+}
+
+
+Foam::scalar Foam::pressureAround::speedChange
+(
+    const label bodyi,
+    const vector& gradP,
+    const scalar dt
+) const
+{
+    const immersedBody& body = bodies_[bodyi];
+    const scalar part = body.isFree() ? 3/(2*body.densityRatio() + 1) : 1;
+
+    return part*dt*mag(gradP - gradP_[bodyi]);
+}
+
+
+Foam::scalar Foam::pressureAround::update
+(
+    const scalarField& p,
+    const scalar dt
+)
+{
+    const vectorField gradP(gradients(p));
+    scalar most = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        if (bodies_[bodyi].resolved() && bodies_[bodyi].isFree())
+        {
+            most = max(most, speedChange(bodyi, gradP[bodyi], dt));
+            set(bodyi, gradP[bodyi]);
+        }
+    }
+
+    return most;
+}
