@@ -13,6 +13,7 @@ import benchPlots as bp
 import numpy as np
 from benchPlots import gp, plt
 from friction import benchValues, periodicFriction
+from losses import ito
 from pieces import bend
 
 bench, values = bp.parameters(here), benchValues(here)
@@ -20,18 +21,6 @@ tube = bench["bend"]
 D, U, rho = (values[name] for name in ("diameter", "meanVelocity", "rho"))
 Re = U*D/values["nu"]
 sampled = bend(bench)[1]
-
-
-def ito(Re, ratio, angle):
-    """Loss coefficient of a smooth bend, friction along it included; ratio:
-    radius of its axis over that of the tube. H. Ito, J. Basic Eng. 82 (1960)
-    131, for Re (a/R)^2 > 91; None at other angles than his."""
-    alpha = {45: 1 + 14.2*ratio**-1.47,
-             90: 0.95 + 17.2*ratio**-1.96 if ratio < 19.7 else 1,
-             180: 1 + 116*ratio**-4.52}.get(angle)
-    if alpha is None or Re/ratio**2 < 91:
-        return None
-    return 0.00241*alpha*angle*ratio**0.84*Re**-0.17
 
 
 def stations(where):

@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from distributionHead import Head, addHead
+from drillStations import pipeStations, tubeStations
 from hexMesh import HexMesh
 from tubes import Path, Section, sweep
 
@@ -189,6 +190,12 @@ def headFlow(bench, outlets):
     }
 
 
+def pipeCells(bench, longest=math.inf):
+    """Number of cells along the feed pipe, none longer than `longest` [m]."""
+    return cells(bench["feedPipe"]["length"],
+                 min(3*headShape(bench).h, longest))
+
+
 def headWithTubes(bench, addTube, closed=False, longest=math.inf):
     """Feed pipe, head, and a tube at each outlet; addTube(path) adds its legs
     but the first, short one. The blocked one ends in a wall, or has no tube if
@@ -198,7 +205,7 @@ def headWithTubes(bench, addTube, closed=False, longest=math.inf):
 
     mesh = HexMesh()
     places = addHead(mesh, shape, pipe["length"], 2*bench["mesh"]["wallLayer"],
-                     cells(pipe["length"], min(3*shape.h, longest)))
+                     pipeCells(bench, longest))
     for number, first in enumerate(places):
         if closed and number + 1 == head["blocked"]:
             continue
@@ -245,23 +252,32 @@ def drill(bench):
     if own["bendRadius"] < bench["feedPipe"]["diameter"]:
         raise ValueError("drill.bendRadius: one diameter of the feed pipe at "
                          "least")
-    mesh, flow = headWithTubes(bench, shortTubes(bench), True,
-                               math.radians(10)*own["bendRadius"])
+    mesh, flow = headWithTubes(bench, shortTubes(bench), True, longestCell(bench))
     mesh.points = [bent(points, own["riser"], own["bendRadius"])
                    for points in mesh.points]
-    level = -own["riser"] - own["bendRadius"]
-    start = -own["bendRadius"] - own["lengthBefore"]
-    diameter = bench["feedPipe"]["diameter"]
-    beside, up, along = 0.02*diameter, (0, 0, 1), (1, 0, 0)
-    flow["stations"] = [
-        ("fan", (start + beside, 0, level), along, diameter),
-        ("beforeBend", (-own["bendRadius"] - beside, 0, level), along, diameter),
-        ("afterBend", (0, 0, -own["riser"] + beside), up, diameter),
-        ("underHead", (0, 0, -beside), up, diameter)]
+    planes = [plane for s in drillStations(bench) for plane in s.planes()]
+    flow["stations"], flow["pressures"] = [], (planes, flow["outlets"])
     flow["outlets"] = ["fanInlet", *flow["outlets"]]
     flow["values"] = {name: own[name] for name in (
         "fanPressure", "fanFlow", "endTime", "timeStep")}
     return mesh, flow
+
+
+def longestCell(bench):
+    """Longest cells of the drill's feed pipe [m]: of ten degrees in its bend."""
+    return math.radians(10)*bench["drill"]["bendRadius"]
+
+
+def drillStations(bench):
+    """Of the feed pipe of the drill and of its open tubes."""
+    bench = drillPipe(bench)
+    head, length = bench["head"], bench["outletTubes"]["shortLength"]
+    frames = {number: outletFrame(bench, number - 1)[:2]
+              for number in range(1, head["outlets"] + 1)
+              if number != head["blocked"]}
+    return [*pipeStations(bench, pipeCells(bench, longestCell(bench))),
+            *tubeStations(bench, cells(length, cellLength(bench, "outletTubes")),
+                          frames)]
 
 
 def shortTubes(bench):

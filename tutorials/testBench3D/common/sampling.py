@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Function objects of a piece: mean pressure at stations, fields on planes,
-flow rates of outlets."""
+"""Function objects of a piece: mean pressure at stations, or with the total
+pressure there and at outlets, fields on planes, flow rates of outlets."""
 
 EVERY = "writeControl    timeStep;\n    writeInterval   5;"
+# The same for those that others take their fields of
+EXECUTED = ("executeControl  timeStep;\n    executeInterval 5;\n"
+            "    writeControl    none;\n    log             no;")
 
 
 def vector(values):
@@ -24,8 +27,8 @@ def plane(point, normal, reach):
         interpolate     false;"""
 
 
-def station(name, point, normal, reach):
-    """Area average of p."""
+def mean(name, region, entries):
+    """A mean over a surface; region: what surface, entries: of what."""
     return f"""
 {name}
 {{
@@ -34,34 +37,74 @@ def station(name, point, normal, reach):
     {EVERY}
     writeFields     no;
     log             no;
-    regionType      sampledSurface;
+    {region}
+    {entries}
+}}
+"""
+
+
+def station(name, point, normal, reach):
+    """Area average of p."""
+    return mean(name, f"""regionType      sampledSurface;
     name            {name};
     sampledSurfaceDict
     {{
         {plane(point, normal, reach)}
-    }}
-    operation       areaAverage;
-    fields          (p);
+    }}""", "operation       areaAverage;\n    fields          (p);")
+
+
+def weighted(name, kind, surface):
+    """Pressure [m2/s2] and total pressure [Pa], means weighted with the flow."""
+    return mean(name, f"""regionType      {kind};
+    name            {surface};""", """operation       weightedAreaAverage;
+    weightField     U;
+    fields          (p pTotal);""")
+
+
+def pressures(planes, patches):
+    """Pressure and total pressure on planes, and on patches, PATCHEnd. The planes
+    are sampled by one function object, as others do not weight what they sample."""
+    surfaces = "\n".join(f"""        {name}
+        {{
+        {plane(*where)}
+        }}""" for name, *where in planes)
+    return f"""
+totalPressure
+{{
+    type            pressure;
+    libs            (fieldFunctionObjects);
+    {EXECUTED}
+    mode            total;
+    rho             rhoInf;
+    rhoInf          $:rho;
+    result          pTotal;
 }}
-"""
+
+stations
+{{
+    type            surfaces;
+    libs            (sampling);
+    {EXECUTED}
+    sampleOnExecute yes;
+    store           yes;
+    surfaceFormat   none;
+    fields          (p pTotal U);
+    interpolationScheme cell;
+    surfaces
+    (
+{surfaces}
+    );
+}}
+""" + "".join([
+        *(weighted(name, "functionObjectSurface", f"stations.{name}")
+          for name, *_ in planes),
+        *(weighted(f"{patch}End", "patch", patch) for patch in patches)])
 
 
 def flowRate(patch):
     """Volume flow rate through a patch."""
-    return f"""
-{patch}
-{{
-    type            surfaceFieldValue;
-    libs            (fieldFunctionObjects);
-    {EVERY}
-    writeFields     no;
-    log             no;
-    regionType      patch;
-    name            {patch};
-    operation       sum;
-    fields          (phi);
-}}
-"""
+    return mean(patch, f"""regionType      patch;
+    name            {patch};""", "operation       sum;\n    fields          (phi);")
 
 
 def pictures(planes, fields):
@@ -99,6 +142,8 @@ def functionObjects(flow):
     """Text of all; flow: what a piece returns."""
     text = ["// Written by makeMesh.py\n"]
     text += [station(*entry) for entry in flow.get("stations", ())]
+    if flow.get("pressures"):
+        text.append(pressures(*flow["pressures"]))
     text += [flowRate(patch) for patch in flow.get("outlets", ())]
     if flow.get("planes"):
         text.append(pictures(flow["planes"],

@@ -3,9 +3,9 @@
 
 Writes constant/seedValues: the seed of etc/grains, its contact with the walls,
 the metering roller and the place where it drops the grains; and
-system/sensorPlanes: planes of an opticalSensor across the feed pipe, afterBend
-and underHead, and across the open outlet tubes, outlet1 ... outletN, a
-centimetre before their ends."""
+system/sensorPlanes: planes of an opticalSensor across the feed pipe, beforeBend,
+afterBend and underHead, and across the open outlet tubes, inTube1 ... inTubeN, where
+their pressure is taken, and outlet1 ... outletN, a centimetre before their ends."""
 
 import math
 import pathlib
@@ -17,6 +17,7 @@ here = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(here.parent/"common"))
 
 from benchPlots import parameters
+from pieces import drillStations
 
 BEFORE_END = 0.01
 CELLS, GRAINS_PER_CELL = 24, 12
@@ -43,8 +44,12 @@ def sensorPlanes(bench):
         bench[name] for name in ("drill", "feedPipe", "head", "outletTubes"))
     numbers, up = openOutlets(bench), (0, 0, 1)
     total, d = own["rate"]*len(numbers), pipe["diameter"]
-    lines = [plane("afterBend", (0, 0, 0.2*d - own["riser"]), up, d, total),
+    before = (-own["bendRadius"] - 0.2*d, 0, -own["bendRadius"] - own["riser"])
+    lines = [plane("beforeBend", before, (1, 0, 0), d, total),
+             plane("afterBend", (0, 0, 0.2*d - own["riser"]), up, d, total),
              plane("underHead", (0, 0, -0.2*d), up, d, total)]
+    lines += [plane(s.name, *s.frames[1], tubes["diameter"], own["rate"])
+              for s in drillStations(bench) if s.name.startswith("inTube")]
     end = (head["diameter"]/2
            + tubes["diameter"] + tubes["shortLength"] - BEFORE_END)
     for number in numbers:
