@@ -28,13 +28,18 @@ def parameters(case):
     return readBench(words)
 
 
-def series(case, name):
-    """Times and values of a function object surfaceFieldValue."""
+def table(case, name):
+    """All that a function object surfaceFieldValue has written, a row a time."""
     folder = pathlib.Path(case)/"postProcessing"/name
     parts = sorted(folder.glob("*/surfaceFieldValue.dat"),
                    key=lambda file: float(file.parent.name))
-    table = np.concatenate([np.loadtxt(file, ndmin=2) for file in parts])
-    return table[:, 0], table[:, -1]
+    return np.concatenate([np.loadtxt(file, ndmin=2) for file in parts])
+
+
+def series(case, name):
+    """Times and values, those of the last column."""
+    rows = table(case, name)
+    return rows[:, 0], rows[:, -1]
 
 
 def mean(case, name, part=0.5):

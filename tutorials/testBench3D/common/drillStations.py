@@ -2,7 +2,7 @@
 """Where the pressure of the drill is taken, from the fan to the ends of the tubes.
 
     pipeStations(bench, n), tubeStations(bench, n, frames)      # [Station]
-    PARTS                       # (what, its first station, its last one)
+    PARTS                       # what losses are told of
 
 A station is three planes through the centres of cells that follow each other,
 NAME_1 ... NAME_3, and its pressure their mean with WEIGHTS: where the length of
@@ -24,9 +24,12 @@ LEGS = {"before": ("fan", "beforeBend"),
 # That of a tube, from where on what its entrance has done is not seen [diameters]
 SETTLED = 6
 
+# (what, its first station, its last one or, into the open, None); ALL of them
+ALL = "all"
 PARTS = (("feed pipe", "fan", "beforeBend"), ("bend", "beforeBend", "afterBend"),
          ("riser", "afterBend", "underHead"), ("head", "underHead", "inTubes"),
-         ("tubes", "inTubes", "ends"), ("exit", "ends", None))
+         ("tubes", "inTubes", "ends"), ("exit", "ends", None),
+         (ALL, "fan", None))
 
 
 @dataclass

@@ -48,7 +48,7 @@ class Drill:
             rows = forward & (table["planeName"] == name)
             self.planes[str(name)] = {
                 column: values[rows] for column, values in table.items()}
-        self.end = table["time"].max()
+        self.end = max(table["time"], default=self.start)
 
     def outlets(self):
         """Numbers of the outlets that are open."""
@@ -114,18 +114,16 @@ class Drill:
                 found.append(event["time"] - entered[event["name"]])
         return np.array(found)
 
-    def pressure(self, name="fan"):
-        """Static pressure at a station [Pa]: without grains, with them."""
-        time, p = bp.series(self.case, name)
-        p = p*self.bench["air"]["density"]
-        alone = (time > 0.7*self.airAlone) & (time <= self.airAlone)
-        return p[alone].mean(), p[time >= self.start].mean()
+    def windows(self):
+        """Times of which means are taken: without grains and, if the run has got
+        to where they count, with them."""
+        alone = [(0.7*self.airAlone, self.airAlone)]
+        return alone + [(self.start, self.end)]*(self.end > self.start)
 
     def flowRate(self):
-        """Air [m3/s]: without grains, with them."""
+        """Air [m3/s] in the windows."""
         time, q = bp.series(self.case, "fanInlet")
-        alone = (time > 0.7*self.airAlone) & (time <= self.airAlone)
-        return -q[alone].mean(), -q[time >= self.start].mean()
+        return [-q[(time > a) & (time <= b)].mean() for a, b in self.windows()]
 
     def impacts(self):
         """Energy that contact takes from one grain on its way [J]."""

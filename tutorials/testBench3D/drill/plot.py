@@ -11,6 +11,9 @@ sys.path.insert(0, str(here.parent/"common"))
 
 import numpy as np
 from benchPlots import gp, plt
+from drillPressure import means, parts, pressures
+from drillPressurePlot import draw as drawPressure
+from drillPressurePlot import table as pressureTable
 from drillStatistics import Drill
 from grainfoam.study import analysis
 
@@ -153,12 +156,13 @@ def residence(run, file):
     gp.save(figure, file)
 
 
-def report(run):
-    """{name: value} for the table of a study, and what is printed."""
+def report(run, stations, losses):
+    """{name: value} for the table of a study, and what is printed; stations:
+    their pressures, losses: [Part]."""
     found, rows = run.shares(), run.spacing()
     counts, gaps = found["counts"], run.intervals()
     times = run.residence()
-    p, q = run.pressure(), run.flowRate()
+    q, p = run.flowRate(), [state[0] for state in means(run, stations)["fan"]]
     tubes = np.concatenate([run.planes[n]["axial"] for n in run.planes
                             if n.startswith("outlet")])
     area = np.pi/4*run.bench["feedPipe"]["diameter"]**2
@@ -178,26 +182,35 @@ def report(run):
         "residence90": np.quantile(times, 0.9), "speed": tubes.mean(),
         "airAlone": q[0]/area, "air": q[1]/area, "pressureAlone": p[0],
         "pressure": p[1], "impactEnergy": run.impacts()}
+    for part in losses:
+        name = "".join(word.title() for word in part.name.split())
+        values[f"lossAlone{name}"] = part.alone[0]
+        values[f"loss{name}"] = part.withSeeds[0]
     return {name: float(value) for name, value in values.items()}
 
 
 def main():
-    run = Drill(here)
+    run, plots = Drill(here), here/"plots"
+    stations = pressures(run)
+    losses = parts(run, stations)
+    drawPressure(run, stations, losses, plots/"pressure.png")
+    print(*pressureTable(losses), sep="\n")
+    if not run.planes:
+        return
     number = run.blocks().sum()
     if number < 20:
         sys.exit(f"{number} seeds have left after the filling, too few to draw:"
                  " is the air fast enough for them?")
-    plots = here/"plots"
     for name, draw in (("shares", shares), ("section", section),
                        ("speed", speeds), ("spacing", spacing),
                        ("residence", residence)):
         draw(run, plots/f"{name}.png")
-    values = report(run)
+    values = report(run, stations, losses)
     table = here/"postProcessing/drill/0/drill.dat"
     table.parent.mkdir(parents=True, exist_ok=True)
     table.write_text("\t".join(["# time[s]", *values]) + "\n" + "\t".join(
         f"{value:.8g}" for value in (run.end, *values.values())) + "\n")
-    print("\n".join(f"{name:<16}{value:.5g}" for name, value in values.items()))
+    print("\n".join(f"{name:<18}{value:.5g}" for name, value in values.items()))
 
 
 if __name__ == "__main__":

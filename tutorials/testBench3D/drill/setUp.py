@@ -3,9 +3,10 @@
 
 Writes constant/seedValues: the seed of etc/grains, its contact with the walls,
 the metering roller and the place where it drops the grains; and
-system/sensorPlanes: planes of an opticalSensor across the feed pipe, beforeBend,
-afterBend and underHead, and across the open outlet tubes, inTube1 ... inTubeN, where
-their pressure is taken, and outlet1 ... outletN, a centimetre before their ends."""
+system/sensorPlanes: planes of an opticalSensor across the feed pipe, afterBend
+and underHead, and across the open outlet tubes, outlet1 ... outletN, a
+centimetre before their ends; beforeBend and inTube1 ... inTubeN where the
+pressure is taken too."""
 
 import math
 import pathlib
@@ -44,12 +45,14 @@ def sensorPlanes(bench):
         bench[name] for name in ("drill", "feedPipe", "head", "outletTubes"))
     numbers, up = openOutlets(bench), (0, 0, 1)
     total, d = own["rate"]*len(numbers), pipe["diameter"]
-    before = (-own["bendRadius"] - 0.2*d, 0, -own["bendRadius"] - own["riser"])
-    lines = [plane("beforeBend", before, (1, 0, 0), d, total),
-             plane("afterBend", (0, 0, 0.2*d - own["riser"]), up, d, total),
+    lines = [plane("afterBend", (0, 0, 0.2*d - own["riser"]), up, d, total),
              plane("underHead", (0, 0, -0.2*d), up, d, total)]
-    lines += [plane(s.name, *s.frames[1], tubes["diameter"], own["rate"])
-              for s in drillStations(bench) if s.name.startswith("inTube")]
+    for s in drillStations(bench):
+        if s.name == "beforeBend":
+            lines.append(plane(s.name, *s.frames[1], d, total))
+        elif s.name.startswith("inTube"):
+            lines.append(plane(s.name, *s.frames[1], tubes["diameter"],
+                               own["rate"]))
     end = (head["diameter"]/2
            + tubes["diameter"] + tubes["shortLength"] - BEFORE_END)
     for number in numbers:
