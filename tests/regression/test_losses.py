@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Published losses against values by hand, and the pressure of the drill part by
-part: where it is taken, and what is read from tables of which it is known."""
+"""Published losses against values by hand, and the pressure of the drill part
+by part: where it is taken, and what is read from tables of which it is known."""
 
 import math
 import os
@@ -22,8 +22,8 @@ import losses  # noqa: E402
 from benchParameters import readBench  # noqa: E402
 from drillStatistics import Drill  # noqa: E402
 from friction import blasius, colebrook  # noqa: E402
-from pieces import bent, drillPipe  # noqa: E402
-from pieces import drillStations as stationsOf  # noqa: E402
+from drillPiece import bent, drillPipe  # noqa: E402
+from drillPiece import drillStations as stationsOf  # noqa: E402
 
 
 @pytest.mark.parametrize("value, expected", [
@@ -103,8 +103,8 @@ def test_stations_are_on_the_axis_and_in_their_legs(changes):
 
 
 def test_pressures_are_weighted_with_the_flow(tmp_path):
-    """Half of the sections with 1 m/s, the other half with 3, on one rank and on
-    three; an average by area would have 3.6 Pa of dynamic pressure less."""
+    """Half of the sections with 1 m/s, the other half with 3, on one rank and
+    on three; a mean by area would have 1.2 Pa of dynamic pressure less."""
     case = BenchCase("drill", tmp_path, ["drill.across=2"])
     folder = case.path
     (folder/"0/p").write_text(field("volScalarField", "p", "2 -2", "10"))
@@ -277,6 +277,7 @@ def test_published_losses_by_seeds(run):
     flow = RATE*MASS
     seeds = drillLosses.Seeds(run, drillLosses.Air(run, FLOWS[1]))
     assert seeds.flow == pytest.approx(flow)
+    assert drillPressure.loading(run) == pytest.approx(flow/(1.2*FLOWS[1]))
     found, at = seeds.published(30), drillLosses.distances(run)
     G, g = flow/(0.25*math.pi*0.1**2), 9.81
     behind = at["afterBend"] - drillStations.legs(run.bench)["bend"][1]

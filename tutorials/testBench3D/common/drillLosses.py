@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What published losses give for the parts of the drill: for air alone, and what
-seeds add. Ranges, (least, greatest), in Pa, between the stations."""
+"""What published losses give for the parts of the drill: for air alone, and
+what seeds add. Ranges, (least, greatest), in Pa, between the stations."""
 
 import math
 import re
 
 import numpy as np
+from drillPiece import drillPipe, drillStations
 from drillStations import ALL, legs
 from friction import blasius, colebrook
 from losses import (PROFILE, acceleration, bendWithSolids, contraction,
                     expansion, idelchik, ito, lift, solidsFriction)
-from pieces import drillPipe, drillStations
 
 
 def distances(run):
@@ -35,8 +35,8 @@ def withAll(parts):
 
 
 class Air:
-    """The air of one state of the run, without seeds or with them: its flow, and
-    published losses for it."""
+    """The air of one state of the run, without seeds or with them: its flow,
+    and published losses for it."""
 
     def __init__(self, run, flow):
         self.bench = bench = drillPipe(run.bench)
@@ -71,7 +71,7 @@ class Air:
     def headLoss(self):
         """No published loss is for such a head. Least: the flow widens to the
         section at its rim and narrows into the tubes; greatest: all that it
-        brings is lost, and the tubes begin at a wall without a flow along it."""
+        brings is lost, and tubes begin at a wall without a flow along it."""
         rim = math.pi*self.head["diameter"]*self.head["height"]
         pipe, tube = (0.25*math.pi*x**2 for x in (self.D, self.d))
         least = (expansion(min(pipe/rim, 1))*self.q

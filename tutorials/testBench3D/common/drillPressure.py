@@ -5,8 +5,8 @@ what published losses give for the same flow.
     found = pressures(run)      # run: a Drill; {station: times, static, total}
     rows = parts(run, found)    # [Part], in the order of PARTS
 
-Losses are those of the total pressure, weighted with the flow. What seeds add is
-the loss with them less that of the air alone, as the square of the flow.
+Losses are those of the total pressure, weighted with the flow. What seeds add
+is the loss with them less that of the air alone, as the square of the flow.
 """
 
 import math
@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import benchPlots as bp
 import numpy as np
 from drillLosses import Air, Seeds
+from drillPiece import drillStations
 from drillStations import PARTS, WEIGHTS
 from grainfoam.study import analysis
-from pieces import drillStations
 
 # Of means: about as long, and so many at least [s]
 BLOCK, LEAST_BLOCKS = 0.25, 8
@@ -26,7 +26,7 @@ BLOCK, LEAST_BLOCKS = 0.25, 8
 @dataclass
 class Part:
     """Values are (mean, half of the 95 % interval), published ones (least,
-    greatest), in Pa; None: there were no seeds, or none has come to the tubes."""
+    greatest), in Pa; None: no seeds, or none has come to the tubes."""
 
     name: str
     alone: tuple
@@ -94,7 +94,7 @@ def mean(blocks):
 
 def means(run, found):
     """{station: [(static, total)]} [Pa], without seeds and with them."""
-    return {name: [tuple(mean(blockMeans(time, p, window))[0] for p in values)
+    return {name: [tuple(blockMeans(time, p, window).mean() for p in values)
                    for window in run.windows()]
             for name, (time, *values) in found.items()}
 
@@ -120,6 +120,12 @@ def parts(run, found):
     if len(air) > 1:
         addSeeds(run, rows, lost, air)
     return rows
+
+
+def loading(run):
+    """Mass of the seeds that go through the feed pipe over that of the air."""
+    air = Air(run, run.flowRate()[1])
+    return Seeds(run, air).flow/air.mass
 
 
 def addSeeds(run, rows, lost, air):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pressure of the drill along the way and part by part, and tells it."""
+"""Draws the pressure of the drill along the way and part by part, and tells
+it."""
 
 import numpy as np
 from benchPlots import gp, plt
@@ -39,7 +40,8 @@ def alongTheWay(ax, run, found, parts):
         ax.text(0.5*sum(ends), 0.02, name, ha="center", va="bottom",
                 transform=ax.get_xaxis_transform())
     ax.set(xlabel="distance from the fan along the way [m]",
-           ylabel="pressure [Pa]", title="Mean pressure, weighted with the flow")
+           ylabel="pressure [Pa]",
+           title="Mean pressure, weighted with the flow")
     ax.set_ylim(top=1.4*ax.get_ylim()[1])
     ax.legend(ncol=2, loc="upper right", fontsize=8)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the pressure of the drill is taken, from the fan to the ends of the tubes.
+"""Where the pressure of the drill is taken, from the fan to the ends of tubes.
 
     pipeStations(bench, n), tubeStations(bench, n, frames)      # [Station]
     PARTS                       # what losses are told of
@@ -16,17 +16,18 @@ from dataclasses import dataclass
 import numpy as np
 
 WEIGHTS = (0.25, 0.5, 0.25)
-# Stations of the feed pipe, by its legs; the first and the last one of a straight
-# leg are as near to its ends as three cells of it let them be
+# Stations of the feed pipe, by its legs; the first and the last one of a
+# straight leg are as near to its ends as three cells of it let them be
 LEGS = {"before": ("fan", "beforeBend"),
         "bend": ("inBend1", "inBend2"),
         "riser": ("afterBend", "inRiser", "underHead")}
-# That of a tube, from where on what its entrance has done is not seen [diameters]
+# That of a tube, from where on its entrance is not seen [diameters]
 SETTLED = 6
 
 # (what, its first station, its last one or, into the open, None); ALL of them
 ALL = "all"
-PARTS = (("feed pipe", "fan", "beforeBend"), ("bend", "beforeBend", "afterBend"),
+PARTS = (("feed pipe", "fan", "beforeBend"),
+         ("bend", "beforeBend", "afterBend"),
          ("riser", "afterBend", "underHead"), ("head", "underHead", "inTubes"),
          ("tubes", "inTubes", "ends"), ("exit", "ends", None),
          (ALL, "fan", None))
@@ -35,7 +36,7 @@ PARTS = (("feed pipe", "fan", "beforeBend"), ("bend", "beforeBend", "afterBend")
 @dataclass
 class Station:
     name: str
-    distance: float         # from the fan, or of a tube from the head's wall [m]
+    distance: float         # from the fan, of a tube from the head's wall [m]
     frames: list            # (point, the way of the flow) of its planes
     reach: float            # [m]
 
@@ -54,8 +55,8 @@ def legs(bench):
 
 
 def numbersWithin(ends, length, n):
-    """Numbers of those cells, of n along the length, that lie in a part of it and
-    have a neighbour on each side that does, if any have."""
+    """Numbers of those cells, of n along the length, that lie in a part of it
+    and have a neighbour on each side that does, if any have."""
     first = math.ceil(ends[0]/length*n - 1e-6) + 1
     last = math.floor(ends[1]/length*n + 1e-6) - 2
     if first > last:

@@ -115,8 +115,8 @@ class Drill:
         return np.array(found)
 
     def windows(self):
-        """Times of which means are taken: without grains and, if the run has got
-        to where they count, with them."""
+        """Times of which means are taken: without grains and, if the run has
+        got to where they count, with them."""
         alone = [(0.7*self.airAlone, self.airAlone)]
         return alone + [(self.start, self.end)]*(self.end > self.start)
 

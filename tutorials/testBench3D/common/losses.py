@@ -58,8 +58,8 @@ def lift(G, u, height):
 
 def bendWithSolids(loss, loading):
     """What solids add to the loss of a bend, of that of the air alone; loading:
-    mass of solids over that of the air. A. J. Chambers & R. D. Marcus, Proc. 2nd
-    Int. Conf. Bulk Materials Storage, Handling and Transportation (1986) 49."""
+    mass of solids over that of the air. A. J. Chambers & R. D. Marcus (1986),
+    2nd Int. Conf. on Bulk Materials Storage, Handling and Transportation."""
     return loading*loss
 
 

@@ -14,8 +14,11 @@ import sys
 sys.dont_write_bytecode = True
 
 from benchParameters import known, readBench
+from drillPiece import drill
 from pieces import PIECES
 from sampling import functionObjects
+
+PIECES = {**PIECES, "drill": drill}
 
 # Turbulence at the inlet: intensity, length over diameter
 INTENSITY, LENGTH = 0.05, 0.07

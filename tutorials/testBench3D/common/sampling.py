@@ -62,8 +62,8 @@ def weighted(name, kind, surface):
 
 
 def pressures(planes, patches):
-    """Pressure and total pressure on planes, and on patches, PATCHEnd. The planes
-    are sampled by one function object, as others do not weight what they sample."""
+    """Pressure and total pressure on planes, and on patches, PATCHEnd. One
+    function object samples the planes: others do not weight what they sample."""
     surfaces = "\n".join(f"""        {name}
         {{
         {plane(*where)}
@@ -104,7 +104,8 @@ stations
 def flowRate(patch):
     """Volume flow rate through a patch."""
     return mean(patch, f"""regionType      patch;
-    name            {patch};""", "operation       sum;\n    fields          (phi);")
+    name            {patch};""", """operation       sum;
+    fields          (phi);""")
 
 
 def pictures(planes, fields):

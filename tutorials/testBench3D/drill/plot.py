@@ -11,7 +11,7 @@ sys.path.insert(0, str(here.parent/"common"))
 
 import numpy as np
 from benchPlots import gp, plt
-from drillPressure import means, parts, pressures
+from drillPressure import loading, means, parts, pressures
 from drillPressurePlot import draw as drawPressure
 from drillPressurePlot import table as pressureTable
 from drillStatistics import Drill
@@ -181,7 +181,8 @@ def report(run, stations, losses):
         "residence50": np.median(times),
         "residence90": np.quantile(times, 0.9), "speed": tubes.mean(),
         "airAlone": q[0]/area, "air": q[1]/area, "pressureAlone": p[0],
-        "pressure": p[1], "impactEnergy": run.impacts()}
+        "pressure": p[1], "loading": loading(run),
+        "impactEnergy": run.impacts()}
     for part in losses:
         name = "".join(word.title() for word in part.name.split())
         values[f"lossAlone{name}"] = part.alone[0]

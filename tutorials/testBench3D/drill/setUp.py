@@ -18,7 +18,7 @@ here = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(here.parent/"common"))
 
 from benchPlots import parameters
-from pieces import drillStations
+from drillPiece import drillStations
 
 BEFORE_END = 0.01
 CELLS, GRAINS_PER_CELL = 24, 12
