@@ -9,8 +9,8 @@ import numpy as np
 from drillPiece import drillPipe, drillStations
 from drillStations import ALL, legs
 from friction import blasius, colebrook
-from losses import (PROFILE, acceleration, bendWithSolids, contraction,
-                    expansion, idelchik, ito, lift, solidsFriction)
+from losses import (PROFILE, bendWithSolids, contraction, expansion, idelchik,
+                    ito, lift, momentum, solidsFriction)
 
 
 def distances(run):
@@ -103,7 +103,8 @@ class Seeds:
         self.run, self.air = run, air
         self.pipe, self.tube = (0.25*math.pi*x**2 for x in (air.D, air.d))
         self.tube *= air.tubes
-        self.flow = self.rate("afterBend")*seedMass(run.case)
+        self.mass = seedMass(run.case)
+        self.flow = self.mass*self.rate("afterBend")
 
     def passages(self, name):
         """Axial speeds at a plane; inTube, outlet: of all tubes."""
@@ -113,38 +114,44 @@ class Seeds:
     def rate(self, name):
         return len(self.passages(name))/(self.run.end - self.run.start)
 
+    def carried(self, name, area):
+        """Momentum through a plane [Pa], on the way out only: those that come
+        back and pass again take it up again."""
+        return momentum(self.mass*self.rate(name)/area,
+                        self.passages(name).mean())
+
     def published(self, bendLoss):
         """{part: (least, greatest)}; {} if no seed has come to the tubes.
         bendLoss: of the air alone at this flow."""
-        air, at, G = self.air, self.air.at, self.flow/self.pipe
-        try:
-            u = {name: self.passages(name).mean() for name in (
-                "beforeBend", "afterBend", "underHead", "inTube", "outlet")}
-        except ValueError:
+        planes = "beforeBend", "afterBend", "underHead", "inTube", "outlet"
+        if not all(any(n.startswith(name) for n in self.run.planes)
+                   for name in planes):
             return {}
-        start, end = legs(air.bench)["bend"]
-        riser = at["underHead"] - at["afterBend"]
+        u = {name: self.passages(name).mean() for name in planes}
+        before, behind, under = (self.carried(x, self.pipe) for x in planes[:3])
+        into, out = (self.carried(name, self.tube) for name in planes[3:])
+        air, at, G = self.air, self.air.at, self.flow/self.pipe
+        end = legs(air.bench)["bend"][1]
+        riser, tube = (at[b] - at[a] for a, b in (
+            ("afterBend", "underHead"), ("inTubes", "ends")))
         slow = 0.5*(u["beforeBend"] + u["afterBend"])
         fast = 0.5*(u["afterBend"] + u["underHead"])
-        level = self.friction(G, u["beforeBend"], at["beforeBend"] - at["fan"])
-        bend = (acceleration(G, u["beforeBend"], u["afterBend"])
-                + lift(G, slow, air.own["bendRadius"])
+        bend = (behind - before + lift(G, slow, air.own["bendRadius"])
                 + lift(G, fast, at["afterBend"] - end))
         # In the head seeds come to rest; where they are taken up again the air
         # has a section between those of the rim and of the tubes
         rim = math.pi*air.head["diameter"]*air.head["height"]
-        inTubes = self.flow/self.tube
         return withAll({
-            "feed pipe": acceleration(G, 0, u["beforeBend"]) + level,
+            "feed pipe": before + self.friction(
+                G, u["beforeBend"], at["beforeBend"] - at["fan"]),
             "bend": bend + np.array([0, bendWithSolids(
                 bendLoss, self.flow/air.mass)]),
-            "riser": acceleration(G, u["afterBend"], u["underHead"])
-            + lift(G, fast, riser) + self.friction(G, fast, riser),
-            "head": np.sort(acceleration(
-                self.flow/np.array([rim, self.tube]), 0, u["inTube"])),
-            "tubes": acceleration(inTubes, u["inTube"], u["outlet"])
-            + self.friction(inTubes, 0.5*(u["inTube"] + u["outlet"]),
-                            at["ends"] - at["inTubes"], True),
+            "riser": under - behind + lift(G, fast, riser)
+            + self.friction(G, fast, riser),
+            "head": np.sort([into*self.tube/rim, into]),
+            "tubes": out - into + self.friction(
+                self.flow/self.tube, 0.5*(u["inTube"] + u["outlet"]), tube,
+                True),
             "exit": np.zeros(2)})
 
     def friction(self, G, u, length, tube=False):

@@ -46,9 +46,10 @@ def contraction(ratio):
     return 0.5*(1 - ratio)**0.75
 
 
-def acceleration(G, u0, u1):
-    """The momentum that solids take up, if the wall has none of it."""
-    return G*(u1 - u0)
+def momentum(G, u):
+    """What solids carry through a section; what they take up between two is a
+    loss of the air, if walls have none of it."""
+    return G*u
 
 
 def lift(G, u, height):
@@ -76,8 +77,8 @@ def konnoSaito(u, diameter):
 
 
 def capesNakamura(u, diameter):
-    """C. E. Capes & K. Nakamura, Can. J. Chem. Eng. 51 (1973) 31: up, grains of
-    0.5 to 3 mm."""
+    """C. E. Capes & K. Nakamura, Can. J. Chem. Eng. 51 (1973) 31: up, coarse
+    grains."""
     return 0.0483*u**-1.22
 
 
