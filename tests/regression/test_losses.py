@@ -322,3 +322,9 @@ def test_blocks_have_an_interval():
         drillPressure.blockMeans(time, noise, (0, time[-1])))
     assert half == pytest.approx(1.96/math.sqrt(4000), rel=0.15)
     assert abs(value - 5) < 2*half
+
+
+def test_few_samples_make_few_blocks():
+    blocks = drillPressure.blockMeans(
+        np.arange(10), np.arange(10)**2, (3, 6))
+    assert blocks == pytest.approx((16, 25, 36))

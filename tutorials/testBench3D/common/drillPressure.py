@@ -78,12 +78,13 @@ def pressures(run):
 
 
 def blockMeans(time, values, window):
-    """Means of blocks of the window."""
+    """Means of blocks of the window; a short one may have less than are
+    wanted."""
     start, end = window
+    inside = values[(time > start) & (time <= end)]
     number = max(LEAST_BLOCKS, int((end - start)/BLOCK))
-    edges = np.linspace(start, end, number + 1)
-    return np.array([values[(time > a) & (time <= b)].mean()
-                     for a, b in zip(edges[:-1], edges[1:])])
+    return np.array([block.mean() for block in np.array_split(
+        inside, min(number, len(inside)))])
 
 
 def mean(blocks):
