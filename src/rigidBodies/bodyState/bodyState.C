@@ -14,10 +14,11 @@ quaternion rotation(const vector& half, const scalar s)
 {
     if (s < 0.01)
     {
+        // Products, as a division takes as long as all the rest of a series
         const scalar sine =
-            1 - s/6*(1 - s/20*(1 - s/42*(1 - s/72)));
+            1 - s*(1./6)*(1 - s*(1./20)*(1 - s*(1./42)*(1 - s*(1./72))));
         const scalar cosine =
-            1 - s/2*(1 - s/12*(1 - s/30*(1 - s/56)));
+            1 - s*(1./2)*(1 - s*(1./12)*(1 - s*(1./30)*(1 - s*(1./56))));
 
         return quaternion(cosine, sine*half);
     }
@@ -25,6 +26,15 @@ quaternion rotation(const vector& half, const scalar s)
     const scalar angle = Foam::sqrt(s);
 
     return quaternion(Foam::cos(angle), (Foam::sin(angle)/angle)*half);
+}
+
+
+//- One over the root of 1 + x, by its series where that is exact to rounding
+scalar inverseRoot(const scalar x)
+{
+    return Foam::mag(x) < 1e-6
+      ? 1 - 0.5*x*(1 - 0.75*x)
+      : 1/Foam::sqrt(1 + x);
 }
 
 } // End anonymous namespace
@@ -63,7 +73,7 @@ void Foam::bodyState::move
     if (s > sqr(VSMALL))
     {
         orientation = rotation(half, s)*orientation;
-        orientation *= 1/mag(orientation);
+        orientation *= inverseRoot(magSqr(orientation) - 1);
     }
 }
 

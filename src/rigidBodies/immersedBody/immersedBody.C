@@ -117,6 +117,12 @@ bool Foam::immersedBody::isFixed() const
 
 Foam::tensor Foam::immersedBody::inertia(const bodyState& state) const
 {
+    // The same in all orientations, in which it can be
+    if (shape_->round())
+    {
+        return tensor(space_.depth()*shape_->inertia());
+    }
+
     const tensor R(state.orientation.R());
 
     return (R & tensor(space_.depth()*shape_->inertia()) & R.T());
