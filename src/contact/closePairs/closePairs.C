@@ -20,6 +20,19 @@ bool leads(const Foam::vector& v)
 } // End anonymous namespace
 
 
+bool Foam::closePairs::image::operator<(const image& other) const
+{
+    if (lower != other.lower)
+    {
+        return lower < other.lower;
+    }
+
+    return body != other.body
+      ? body < other.body
+      : leads(other.shift - shift);
+}
+
+
 void Foam::closePairs::add(const image& first, const image& second)
 {
     const bool ordered = first.body < second.body;
@@ -55,6 +68,10 @@ void Foam::closePairs::sortImages(const periodicity& periods)
 
     forAll(centres_, i)
     {
+        if (omitted_.size() && omitted_[i])
+        {
+            continue;
+        }
         for
         (
             const periodicity::image& im
@@ -123,11 +140,13 @@ Foam::closePairs::closePairs
     const UList<point>& centres,
     const UList<scalar>& radii,
     const periodicity& periods,
-    const bool plainSweep
+    const bool plainSweep,
+    const UList<bool>& omitted
 )
 :
     centres_(centres),
-    radii_(radii)
+    radii_(radii),
+    omitted_(omitted)
 {
     if (centres.empty())
     {

@@ -51,14 +51,14 @@ bool Foam::contactMovers::within(UList<scalar>& furthest) const
 {
     bool all = true;
 
-    for (const contactMover& m : *this)
+    forOutcomes([&](const outcome& e)
     {
-        if (m.way > furthest[m.body])
+        if (e.way > furthest[e.body])
         {
-            furthest[m.body] = 2*m.way;
+            furthest[e.body] = 2*e.way;
             all = false;
         }
-    }
+    });
 
     return all;
 }
@@ -89,7 +89,8 @@ bool Foam::contactMovers::search
         reach[i] = bodies[i].isFree() ? radius + aroundWall[i] : 0;
     }
 
-    const closePairs close(centres, radii, periods);
+    const boolList distant(share_.distant(centres, radii, periods));
+    const closePairs close(centres, radii, periods, false, distant);
     walls.update(centres, reach, periods);
 
     clear();
@@ -99,7 +100,9 @@ bool Foam::contactMovers::search
 
     for (const closePairs::pair& p : close.pairs())
     {
-        if (bodies[p.a].isFree() || bodies[p.b].isFree())
+        const bool needed = share_.mine(p.a) || share_.mine(p.b);
+
+        if (needed && (bodies[p.a].isFree() || bodies[p.b].isFree()))
         {
             pair found;
 
@@ -115,13 +118,19 @@ bool Foam::contactMovers::search
 
     forAll(bodies, i)
     {
-        if (bodies[i].isFree() && walls.beside(i))
+        if (share_.mine(i) && bodies[i].isFree() && walls.beside(i))
         {
             pair found;
 
             found.a = moverOf(bodies, i, dt);
             pairs_.append(found);
         }
+    }
+
+    if (shared())
+    {
+        connect();
+        return returnReduce(pairs_.size(), sumOp<label>()) > 0;
     }
 
     return !pairs_.empty();
@@ -153,17 +162,18 @@ Foam::vector Foam::contactMovers::relativeVelocity
 
 void Foam::contactMovers::addImpulse
 (
-    pair& p,
+    const pair& p,
     const point& x,
-    const vector& impulse
+    const vector& impulse,
+    sums& to
 ) const
 {
-    p.impulse += impulse;
-    p.contactMoment += impulse*(x - (*this)[p.a].state.position);
+    to.impulse += impulse;
+    to.contactMoment += impulse*(x - (*this)[p.a].state.position);
 
     if (p.b >= 0)
     {
-        p.contactMoment -=
+        to.contactMoment -=
             impulse*(x - p.shift - (*this)[p.b].state.position);
     }
 }
@@ -184,25 +194,21 @@ void Foam::contactMovers::setContact
     const scalar dt
 ) const
 {
-    for (const contactMover& m : *this)
+    forOutcomes([&](const outcome& e)
     {
-        // A body that tumbles has had its contacts in other orientations
-        const vector dOmega
-        (
-            m.tumbles ? m.inverseInertia & m.impulse.angular : m.dOmega
-        );
+        bodyState pose;
 
-        bodies[m.body].setContact
-        (
-            m.state, m.dU, dOmega, (1/dt)*m.impulse
-        );
-    }
+        pose.position = e.position;
+        pose.orientation = e.orientation;
+        bodies[e.body].setContact(pose, e.dU, e.dOmega, (1/dt)*e.impulse);
+    });
 }
 
 
 Foam::contactModel::pairMoment Foam::contactMovers::moment
 (
     const pair& p,
+    const sums& done,
     const scalar dt
 ) const
 {
@@ -211,8 +217,8 @@ Foam::contactModel::pairMoment Foam::contactMovers::moment
         (*this)[p.a].body,
         p.b < 0 ? -1 : (*this)[p.b].body,
         p.shift,
-        p.impulse/dt,
-        p.contactMoment/dt,
-        p.filmMoment/dt
+        done.impulse/dt,
+        done.contactMoment/dt,
+        done.filmMoment/dt
     };
 }

@@ -64,7 +64,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
 
     for (const touch& t : touches_)
     {
-        const candidate& c = candidates_[t.candidate];
+        const candidate& c = candidates()[t.candidate];
         const scalar gap = t.point.gap;
         const bool holds = t.record.holds();
 
@@ -126,17 +126,20 @@ void Foam::contactModels::nonsmoothContact::projectPoses
 
 void Foam::contactModels::nonsmoothContact::keepTouches(const scalar h)
 {
-    for (candidate& c : candidates_)
+    for (candidate& c : candidates())
     {
         c.shift += h*c.velocity;
-        c.records.clear();
+    }
+    for (meeting& m : meetings_)
+    {
+        m.records.clear();
     }
 
     for (const touch& t : touches_)
     {
         if (t.record.live())
         {
-            candidates_[t.candidate].records.append(t.record);
+            meetingOf(candidates()[t.candidate]).records.append(t.record);
         }
     }
 }

@@ -57,12 +57,12 @@ bool Foam::contactModels::nonsmoothContact::search
         return false;
     }
 
-    addCandidates(bodies);
-    areas_.setSize(candidates_.size());
+    findMeetings(bodies);
+    areas_.setSize(candidates().size());
 
-    forAll(candidates_, i)
+    forAll(candidates(), i)
     {
-        const candidate& c = candidates_[i];
+        const candidate& c = candidates()[i];
         const immersedBody& a = bodies[movers_[c.a].body];
         const geometricSpace& space = a.space();
         scalar radius = equivalentRadius(a);
@@ -114,12 +114,17 @@ void Foam::contactModels::nonsmoothContact::findTouches
 {
     touches_.clear();
 
-    forAll(candidates_, i)
+    forAll(candidates(), i)
     {
-        const candidate& c = candidates_[i];
+        const candidate& c = candidates()[i];
         const label bodya = movers_[c.a].body;
         const immersedBody& a = bodies[bodya];
-        DynamicList<contactMultiplier> records(c.records);
+        DynamicList<contactMultiplier> records;
+
+        if (c.meeting >= 0)
+        {
+            records = meetings_[c.meeting].records;
+        }
 
         if (c.b >= 0)
         {
@@ -145,7 +150,7 @@ void Foam::contactModels::nonsmoothContact::addTouch
     DynamicList<contactMultiplier>& records
 )
 {
-    const candidate& c = candidates_[candidatei];
+    const candidate& c = candidates()[candidatei];
     contactMultiplier* known =
         pairRecords<contactMultiplier>::nearest(records, point.normal);
     touch t{candidatei, point, contactMultiplier()};

@@ -11,7 +11,7 @@ Foam::contactModels::nonsmoothContact::contactOf
     const scalar impulse
 ) const
 {
-    const candidate& c = candidates_[t.candidate];
+    const candidate& c = candidates()[t.candidate];
     const vector& x = t.point.position;
     velocityProjection::contact k
     {
@@ -38,7 +38,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::opening
     (
         movers_.relativeVelocity
         (
-            candidates_[t.candidate], t.point.position, Zero
+            candidates()[t.candidate], t.point.position, Zero
         )
     );
 
@@ -67,7 +67,7 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
     forAll(touches_, i)
     {
         const touch& t = touches_[i];
-        const candidate& c = candidates_[t.candidate];
+        const candidate& c = candidates()[t.candidate];
         const scalar gap =
             t.record.holds() ? 0 : max(t.point.gap, scalar(0));
 
@@ -108,13 +108,13 @@ void Foam::contactModels::nonsmoothContact::applyImpulse
     const scalar h
 )
 {
-    candidate& c = candidates_[t.candidate];
+    candidate& c = candidates()[t.candidate];
     const scalar area = areas_[t.candidate];
     const point& x = t.point.position;
     const vector p(impulse*t.point.normal);
     contactMover& a = movers_[c.a];
 
-    movers_.addImpulse(c, x, -p);
+    movers_.addImpulse(c, x, -p, meetingOf(c).sums);
     a.impulse = a.impulse + rigidMomentum{-p, p^(x - a.state.position)};
 
     if (c.b >= 0)

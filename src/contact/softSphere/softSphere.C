@@ -130,7 +130,8 @@ bool Foam::contactModels::softSphere::goThrough
     const UList<scalar>& furthest
 )
 {
-    begin(bodies);
+    // Films act one after the other, slopes are drawn so
+    begin(bodies, !lubrication_.active() && !rough_);
     roughness_.begin(bodies);
 
     if (!search(bodies, h, walls, periods, dt, furthest))
@@ -140,7 +141,7 @@ bool Foam::contactModels::softSphere::goThrough
 
     const label n = max
     (
-        label(ceil(dt*subSteps_/shortestTime(bodies, dt))),
+        label(ceil(dt*subSteps_/shortestTime(dt))),
         label(1)
     );
     const scalar subDt = dt/n;
@@ -162,6 +163,7 @@ bool Foam::contactModels::softSphere::goThrough
     }
     sumSprings(subDt);
     movers_.putBack(bodies);
+    movers_.collect();
 
     return true;
 }
@@ -180,18 +182,20 @@ void Foam::contactModels::softSphere::advance
     // Those that were hit and went further than the search has known may have
     // met others
     scalarField furthest(likelyWays(bodies, dt, meshU));
+    bool any;
 
     do
     {
-        if (!goThrough(bodies, h, walls, periods, dt, meshU, furthest))
-        {
-            return;
-        }
+        any = goThrough(bodies, h, walls, periods, dt, meshU, furthest);
     }
-    while (!movers_.within(furthest));
+    while (any && !movers_.within(furthest));
 
-    movers_.setContact(bodies, dt);
-    remember();
+    if (any)
+    {
+        movers_.setContact(bodies, dt);
+        remember();
+    }
+    sumEnergy();
 }
 
 

@@ -8,7 +8,12 @@ void Foam::contactModels::softSphere::addFilm
     const contactPoint& point
 )
 {
-    const candidate& c = candidates_[candidatei];
+    if (gaps_.empty())
+    {
+        return;
+    }
+
+    const candidate& c = candidates()[candidatei];
     const lubricationModel::film& film = gaps_[candidatei];
 
     if (film.radius > 0 && point.gap < lubrication_.range(film.cell))
@@ -26,7 +31,7 @@ Foam::vector Foam::contactModels::softSphere::rollingVelocity
     const gapFilm& film
 ) const
 {
-    const candidate& c = candidates_[film.candidate];
+    const candidate& c = candidates()[film.candidate];
     const contactMover& a = movers_[c.a];
     const point& x = film.point.position;
     const vector& n = film.point.normal;
@@ -59,7 +64,7 @@ Foam::scalar Foam::contactModels::softSphere::inverseRollingMass
     const gapFilm& film
 ) const
 {
-    const candidate& c = candidates_[film.candidate];
+    const candidate& c = candidates()[film.candidate];
     const point& x = film.point.position;
     const vector& n = film.point.normal;
     const Pair<scalar> masses(inverseMasses(c, x, n));
@@ -85,7 +90,8 @@ void Foam::contactModels::softSphere::push
     const bool rolling
 )
 {
-    candidate& c = candidates_[film.candidate];
+    candidate& c = candidates()[film.candidate];
+    tensor& filmMoment = meetingOf(c).sums.filmMoment;
 
     // r: of the surface, shear: impulse along it, of which what is not linear
     // is balanced by the pressure
@@ -103,7 +109,7 @@ void Foam::contactModels::softSphere::push
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + rigidMomentum{linear, angular};
-        c.filmMoment += linear*r + r*(linear - shear);
+        filmMoment += linear*r + r*(linear - shear);
     };
 
     contactMover& a = movers_[c.a];
@@ -185,7 +191,7 @@ void Foam::contactModels::softSphere::lubricate(const scalar h)
 {
     for (const gapFilm& film : films_)
     {
-        const candidate& c = candidates_[film.candidate];
+        const candidate& c = candidates()[film.candidate];
         const lubricationModel::film& f = gaps_[film.candidate];
         const contactPoint& p = film.point;
         const Pair<scalar> masses(inverseMasses(c, p.position, p.normal));

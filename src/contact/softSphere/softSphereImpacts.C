@@ -24,14 +24,14 @@ bool Foam::contactModels::softSphere::meetSlope
     contactPoint& point
 )
 {
-    candidate& c = candidates_[candidatei];
+    candidate& c = candidates()[candidatei];
     const contactMover& m = movers_[c.a];
     const immersedBody& body = bodies[m.body];
     const scalar s = coefficients(c, point).wallRoughness;
     const scalar closing =
         movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
     const contactHistory::record* known =
-        contactHistory::nearest(c.records, point.normal);
+        contactHistory::nearest(meetingOf(c).records, point.normal);
     const bool touches = known && known->live();
 
     if (touches ? magSqr(known->slope) == 0 : s <= 0)
@@ -87,7 +87,7 @@ void Foam::contactModels::softSphere::turn
     contactPoint& point
 ) const
 {
-    const candidate& c = candidates_[candidatei];
+    const candidate& c = candidates()[candidatei];
     const Foam::point at
     (
         lies || !movers_[c.a].smooth
@@ -120,7 +120,7 @@ Foam::vector Foam::contactModels::softSphere::rollingTorque
     vector& spring
 ) const
 {
-    const candidate& c = candidates_[t.candidate];
+    const candidate& c = candidates()[t.candidate];
     const scalar R = t.contact.radius;
     const vector& n = t.contact.normal;
     vector omega(movers_[c.a].state.omega);

@@ -3,9 +3,13 @@
 #include "separatingPlane.H"
 #include "softSphere.H"
 
-bool Foam::contactModels::softSphere::touching(const candidate& c)
+bool Foam::contactModels::softSphere::touching(const candidate& c) const
 {
-    for (const contactHistory::record& r : c.records)
+    if (c.meeting < 0)
+    {
+        return false;
+    }
+    for (const contactHistory::record& r : meetings_[c.meeting].records)
     {
         if (r.live())
         {
@@ -25,7 +29,7 @@ bool Foam::contactModels::softSphere::apart
     const scalar h
 )
 {
-    const candidate& c = candidates_[candidatei];
+    const candidate& c = candidates()[candidatei];
     const contactMover& a = movers_[c.a];
 
     auto apartBy = [&](const scalar gap)
@@ -34,7 +38,8 @@ bool Foam::contactModels::softSphere::apart
         return clearance_.apart(candidatei);
     };
 
-    const scalar range = lubrication_.range(gaps_[candidatei].cell);
+    const scalar range = gaps_.empty()
+      ? 0 : lubrication_.range(gaps_[candidatei].cell);
 
     if (c.b >= 0)
     {
@@ -89,14 +94,14 @@ bool Foam::contactModels::softSphere::nearestSmooth
 {
     if (a.shape().round() || b.shape().round())
     {
-        point = contactPoint(a, b, candidates_[candidatei].shift);
+        point = contactPoint(a, b, candidates()[candidatei].shift);
         clearance_.measured(candidatei, point.gap);
 
         return !clearance_.apart(candidatei);
     }
 
     // Films are between round bodies: surfaces may come as near as they like
-    separatingPlane planes(a, b, candidates_[candidatei].shift);
+    separatingPlane planes(a, b, candidates()[candidatei].shift);
     const vector known(clearance_.normal(candidatei));
 
     if (known == vector::zero)
@@ -129,7 +134,7 @@ bool Foam::contactModels::softSphere::nearest
     contactPoint& point
 )
 {
-    const candidate& c = candidates_[candidatei];
+    const candidate& c = candidates()[candidatei];
     const contactMover& a = movers_[c.a];
     const contactMover& b = movers_[c.b];
 
@@ -174,14 +179,14 @@ void Foam::contactModels::softSphere::findTouches
     touches_.clear();
     films_.clear();
 
-    forAll(candidates_, i)
+    forAll(candidates(), i)
     {
         if (clearance_.apart(i))
         {
             continue;
         }
 
-        candidate& c = candidates_[i];
+        candidate& c = candidates()[i];
         const label first = touches_.size();
         contactPoint point;
 

@@ -7,10 +7,10 @@ Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
     const PtrList<immersedBody>& bodies,
     candidate& c,
     const vector& normal
-) const
+)
 {
-    contactHistory::record* known =
-        contactHistory::nearest(c.records, normal);
+    DynamicList<contactHistory::record>& records = meetingOf(c).records;
+    contactHistory::record* known = contactHistory::nearest(records, normal);
 
     if (known)
     {
@@ -19,16 +19,16 @@ Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
 
     // In the place of one that has ended, if there is one
     label place = 0;
-    while (place < c.records.size() && c.records[place].live())
+    while (place < records.size() && records[place].live())
     {
         ++place;
     }
-    if (place == c.records.size())
+    if (place == records.size())
     {
-        c.records.append(contactHistory::record());
+        records.append(contactHistory::record());
     }
 
-    contactHistory::record& r = c.records[place];
+    contactHistory::record& r = records[place];
 
     r.bodies = movers_.bodyNumbers(bodies, c);
 
@@ -38,11 +38,19 @@ Foam::contactHistory::record& Foam::contactModels::softSphere::recordOf
 
 void Foam::contactModels::softSphere::endContacts
 (
-    candidate& c,
+    const candidate& c,
     const label first
-) const
+)
 {
-    forAll(c.records, k)
+    if (c.meeting < 0)
+    {
+        return;
+    }
+
+    DynamicList<contactHistory::record>& records =
+        meetings_[c.meeting].records;
+
+    forAll(records, k)
     {
         bool touched = false;
         for (label l = first; l < touches_.size(); ++l)
@@ -52,7 +60,7 @@ void Foam::contactModels::softSphere::endContacts
 
         if (!touched)
         {
-            c.records[k] = contactHistory::record();
+            records[k] = contactHistory::record();
         }
     }
 }

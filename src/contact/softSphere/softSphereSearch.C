@@ -70,7 +70,7 @@ bool Foam::contactModels::softSphere::search
         );
     }
 
-    addCandidates(bodies);
+    findMeetings(bodies);
 
     isTouched_.setSize(movers_.size());
     isTouched_ = false;
@@ -78,9 +78,12 @@ bool Foam::contactModels::softSphere::search
     clearance_.reset(movers_.size());
     slideSpeed_ = slideTime_ = 0;
 
-    for (candidate& c : candidates_)
+    for (const candidate& c : candidates())
     {
-        gaps_.append(gapOf(bodies, h, c));
+        if (lubrication_.active())
+        {
+            gaps_.append(gapOf(bodies, h, c));
+        }
         keepOwn(c);
         clearance_.append(c.a, c.b);
         slideSpeed_ = max(slideSpeed_, mag(c.velocity));
@@ -105,7 +108,7 @@ Foam::lubricationModel::film Foam::contactModels::softSphere::gapOf
 
     lubricationModel::film film{-1, h[bodya]};
 
-    if (lubrication_.active() && round)
+    if (round)
     {
         const scalar Ra = bodies[bodya].shape().boundingRadius();
 
@@ -123,9 +126,17 @@ Foam::lubricationModel::film Foam::contactModels::softSphere::gapOf
 }
 
 
-void Foam::contactModels::softSphere::keepOwn(candidate& c) const
+void Foam::contactModels::softSphere::keepOwn(const candidate& c)
 {
-    if (c.b >= 0 && c.records.size() > 1)
+    if (c.b < 0 || c.meeting < 0)
+    {
+        return;
+    }
+
+    DynamicList<contactHistory::record>& records =
+        meetings_[c.meeting].records;
+
+    if (records.size() > 1)
     {
         const vector apart
         (
@@ -133,44 +144,44 @@ void Foam::contactModels::softSphere::keepOwn(candidate& c) const
           - movers_[c.a].state.position
         );
         const contactHistory::record* mine =
-            contactHistory::nearest(c.records, normalised(apart));
+            contactHistory::nearest(records, normalised(apart));
         const contactHistory::record kept
         (
             mine ? *mine : contactHistory::record()
         );
 
-        c.records = DynamicList<contactHistory::record>(1, kept);
+        records = DynamicList<contactHistory::record>(1, kept);
     }
 }
 
 
 Foam::scalar Foam::contactModels::softSphere::shortestTime
 (
-    const PtrList<immersedBody>& bodies,
     const scalar dt
 ) const
 {
-    auto speed = [&](const contactMover& m)
+    scalarField speeds(movers_.size()), inverseMasses(movers_.size());
+
+    forAll(movers_, i)
     {
+        const contactMover& m = movers_[i];
         const vector& U = m.state.U;
 
-        return max(mag(U), mag(U + dt*m.acceleration));
-    };
+        speeds[i] = max(mag(U), mag(U + dt*m.acceleration));
+        inverseMasses[i] = cmptMax(m.inverseMass);
+    }
 
     scalar shortest = GREAT;
 
-    for (const candidate& c : candidates_)
+    for (const candidate& c : candidates())
     {
-        const contactMover& a = movers_[c.a];
-        scalar inverseMass = cmptMax(a.inverseMass);
-        scalar approach = speed(a);
+        scalar inverseMass = inverseMasses[c.a];
+        scalar approach = speeds[c.a];
 
         if (c.b >= 0)
         {
-            const contactMover& b = movers_[c.b];
-
-            inverseMass += cmptMax(b.inverseMass);
-            approach += speed(b) + mag(c.velocity);
+            inverseMass += inverseMasses[c.b];
+            approach += speeds[c.b] + mag(c.velocity);
         }
 
         contactLaw::contact touch;
@@ -180,12 +191,17 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
         touch.coefficients = materials_.largest();
 
         shortest = min(shortest, law_->collisionTime(touch, approach, dt));
+    }
 
-        for (const contactHistory::record& r : c.records)
+    for (const meeting& m : meetings_)
+    {
+        for (const contactHistory::record& r : m.records)
         {
             shortest = r.live() ? min(shortest, r.time) : shortest;
         }
     }
 
-    return shortest;
+    return movers_.shared()
+      ? returnReduce(shortest, minOp<scalar>())
+      : shortest;
 }

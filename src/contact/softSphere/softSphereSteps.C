@@ -39,7 +39,7 @@ void Foam::contactModels::softSphere::drift
             slideTime_*slideSpeed_, (slideTime_ + 0.5*h)*slideSpeed_
         );
 
-        for (candidate& c : candidates_)
+        for (candidate& c : candidates())
         {
             c.shift += time*c.velocity;
         }
@@ -82,8 +82,9 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
 
     for (touch& t : touches_)
     {
-        candidate& c = candidates_[t.candidate];
-        vector spring(c.records[t.record].spring);
+        const candidate& c = candidates()[t.candidate];
+        contactHistory::record& record = recordOf(t);
+        vector spring(record.spring);
         const vector F
         (
             law_->force
@@ -100,7 +101,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
 
         if (t.rollingMass > 0)
         {
-            vector rolled(c.records[t.record].rolling);
+            vector rolled(record.rolling);
             const rigidMomentum T{Zero, rollingTorque(t, rolled)};
 
             forces_[c.a] = forces_[c.a] + T;
@@ -110,7 +111,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
             }
             if (remember)
             {
-                c.records[t.record].rolling = rolled;
+                record.rolling = rolled;
             }
         }
 
@@ -126,7 +127,7 @@ void Foam::contactModels::softSphere::sumForces(const bool remember)
 
         if (remember)
         {
-            c.records[t.record].spring = spring;
+            record.spring = spring;
         }
     }
 }
@@ -153,6 +154,7 @@ void Foam::contactModels::softSphere::kick(const scalar h)
     // Half of it with the forces at its start, all with those in the middle
     sumForces(false);
     halfKick(h);
+    movers_.exchangeVelocities();
     sumForces(true);
     sumLosses(h);
     sumImpulses(h);
@@ -170,6 +172,7 @@ void Foam::contactModels::softSphere::kick(const scalar h)
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;
     }
+    movers_.exchangeVelocities();
 }
 
 
@@ -187,9 +190,11 @@ void Foam::contactModels::softSphere::sumImpulses(const scalar h)
 {
     for (const touch& t : touches_)
     {
+        candidate& c = candidates()[t.candidate];
+
         movers_.addImpulse
         (
-            candidates_[t.candidate], t.position, h*t.force
+            c, t.position, h*t.force, meetingOf(c).sums
         );
     }
 }
@@ -199,14 +204,15 @@ void Foam::contactModels::softSphere::sumLosses(const scalar h)
 {
     for (const touch& t : touches_)
     {
+        const candidate& c = candidates()[t.candidate];
+
+        if (!movers_.mine(c))
+        {
+            continue;
+        }
+
         const vector& n = t.contact.normal;
-        const vector U
-        (
-            movers_.relativeVelocity
-            (
-                candidates_[t.candidate], t.position, t.wallU
-            )
-        );
+        const vector U(movers_.relativeVelocity(c, t.position, t.wallU));
 
         energy_.dashpots += h*law_->dashpotPower(t.contact, U & n);
         energy_.tangential -= h*(t.force & (U - (U & n)*n));
@@ -223,7 +229,14 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
 {
     for (const touch& t : touches_)
     {
-        const candidate& c = candidates_[t.candidate];
+        const candidate& c = candidates()[t.candidate];
+
+        if (!movers_.mine(c))
+        {
+            continue;
+        }
+
+        const contactHistory::record& record = recordOf(t);
         const scalar closing =
             movers_.relativeVelocity(c, t.position, t.wallU) & t.contact.normal;
         const scalar overlap = max(0.5*h*closing - t.gap, scalar(0));
@@ -232,11 +245,11 @@ void Foam::contactModels::softSphere::sumSprings(const scalar h)
         energy_.tangentialSprings +=
             law_->tangentialEnergy
             (
-                t.contact, overlap, c.records[t.record].spring
+                t.contact, overlap, record.spring
             )
           + contactLaw::rollingEnergy
             (
-                t.contact, t.rollingMass, c.records[t.record].rolling
+                t.contact, t.rollingMass, record.rolling
             );
     }
 }

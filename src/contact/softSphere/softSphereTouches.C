@@ -79,7 +79,7 @@ void Foam::contactModels::softSphere::addTouch
     const scalar dt
 )
 {
-    candidate& c = candidates_[candidatei];
+    candidate& c = candidates()[candidatei];
     contactPoint point(wall);
 
     if (c.b < 0 && rough_ && !meetSlope(bodies, candidatei, h, point))
@@ -105,7 +105,7 @@ void Foam::contactModels::softSphere::addTouch
     contactHistory::record& r = recordOf(bodies, c, wall.normal);
 
     t.candidate = candidatei;
-    t.record = &r - c.records.cdata();
+    t.record = &r - meetingOf(c).records.cdata();
     t.position = point.position;
     t.gap = point.gap;
     t.wallU = point.wallU;
@@ -162,7 +162,7 @@ void Foam::contactModels::softSphere::meetWalls
     const scalar dt
 )
 {
-    const contactMover& m = movers_[candidates_[candidatei].a];
+    const contactMover& m = movers_[candidates()[candidatei].a];
     scalar reach = m.radius;
 
     // What the gap of a smooth body may close by in the sub-step, as the search
