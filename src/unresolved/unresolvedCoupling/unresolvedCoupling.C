@@ -141,6 +141,8 @@ void Foam::unresolvedCoupling::update
         );
     }
 
+    share_.divide(bodies.size(), nUnresolved_);
+
     if (active())
     {
         normalise(bodies, h);

@@ -2,7 +2,6 @@
 
 #include "unresolvedCoupling.H"
 #include "checkKeywords.H"
-#include "compat.H"
 #include "unresolvedMotion.H"
 
 namespace
@@ -93,23 +92,30 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 ) const
 {
     const scalarField& V = mesh_.V();
-    vectorField means(n, Zero);
+    scalarField sums(3*n, Zero);
 
-    forAll(means, bodyi)
+    for (label bodyi = 0; bodyi < n; ++bodyi)
     {
         const bodyKernel& kernel = grains_[bodyi].kernel;
-        vector sum(Zero);
+        vector mean(Zero);
 
         forAll(kernel.cells, i)
         {
-            sum += kernel.weight[i]*V[kernel.cells[i]]*value(bodyi, i);
+            mean += kernel.weight[i]*V[kernel.cells[i]]*value(bodyi, i);
         }
-        means[bodyi] = sum;
+        for (direction k = 0; k < 3; ++k)
+        {
+            sums[3*bodyi + k] = mean[k];
+        }
     }
 
-    if (Pstream::parRun())
+    sum(sums, 3);
+
+    vectorField means(n);
+
+    forAll(means, i)
     {
-        compat::allReduce(means, plusEqOp<vector>());
+        means[i] = vector(sums[3*i], sums[3*i + 1], sums[3*i + 2]);
     }
 
     return means;
@@ -144,7 +150,7 @@ void Foam::unresolvedCoupling::setMotions
 
     forAll(bodies, bodyi)
     {
-        if (!grains_[bodyi].inside)
+        if (!moves(bodyi))
         {
             continue;
         }
@@ -191,11 +197,17 @@ void Foam::unresolvedCoupling::linearise
     {
         if (motions_.set(bodyi))
         {
-            grainForce& F = forces_[bodyi];
-
-            F = motions_[bodyi].implicitForce(bodies[bodyi], ddt, g);
-            spread(grains_[bodyi].kernel, F, drag, part, force);
+            forces_[bodyi] =
+                motions_[bodyi].implicitForce(bodies[bodyi], ddt, g);
         }
+    }
+
+    // The cells of a kernel are those of any rank
+    share_.give(forces_);
+
+    forAll(bodies, bodyi)
+    {
+        spread(grains_[bodyi].kernel, forces_[bodyi], drag, part, force);
     }
 }
 
@@ -227,7 +239,7 @@ void Foam::unresolvedCoupling::advance
 
     forAll(bodies, bodyi)
     {
-        if (!grains_[bodyi].inside)
+        if (!moves(bodyi))
         {
             continue;
         }
@@ -241,4 +253,6 @@ void Foam::unresolvedCoupling::advance
             body.correctVelocity(motions_[bodyi].load(body, ddt, F), ddt, g);
         }
     }
+
+    giveCorrections(bodies);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "unresolvedCoupling.H"
-#include "compat.H"
 #include "unresolvedMotion.H"
 
 Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
@@ -60,16 +59,22 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
     if (Pstream::parRun())
     {
         const label n = fluidSample::nPacked;
-        scalarField packed(n*samples.size());
+        scalarField packed(n*samples.size(), Zero);
 
         forAll(samples, i)
         {
-            samples[i].pack(packed, n*i);
+            if (hasCells(i))
+            {
+                samples[i].pack(packed, n*i);
+            }
         }
-        compat::allReduce(packed, plusEqOp<scalar>());
+        sum(packed, n);
         forAll(samples, i)
         {
-            samples[i].unpack(packed, n*i);
+            if (share_.mine(i))
+            {
+                samples[i].unpack(packed, n*i);
+            }
         }
     }
 
@@ -124,7 +129,7 @@ void Foam::unresolvedCoupling::correct
     {
         immersedBody& body = bodies[i];
 
-        if (body.resolved() || !grains_[i].inside)
+        if (body.resolved() || !moves(i))
         {
             continue;
         }
@@ -146,6 +151,40 @@ void Foam::unresolvedCoupling::correct
         for (label k = 0; k < 2; ++k)
         {
             body.correctVelocity(motion.load(body, ddt), ddt, g);
+        }
+    }
+
+    giveCorrections(bodies);
+}
+
+
+void Foam::unresolvedCoupling::giveCorrections
+(
+    PtrList<immersedBody>& bodies
+) const
+{
+    if (!share_.active())
+    {
+        return;
+    }
+
+    List<immersedBody::correction> all(bodies.size());
+
+    forAll(all, i)
+    {
+        if (share_.mine(i))
+        {
+            all[i] = bodies[i].corrected();
+        }
+    }
+
+    share_.give(all);
+
+    forAll(all, i)
+    {
+        if (!share_.mine(i) && !bodies[i].resolved() && grains_[i].inside)
+        {
+            bodies[i].correctTo(all[i]);
         }
     }
 }
