@@ -20,13 +20,8 @@ bool leads(const Foam::vector& v)
 } // End anonymous namespace
 
 
-bool Foam::closePairs::image::operator<(const image& other) const
+bool Foam::closePairs::image::isBefore(const image& other) const
 {
-    if (lower != other.lower)
-    {
-        return lower < other.lower;
-    }
-
     return body != other.body
       ? body < other.body
       : leads(other.shift - shift);
