@@ -137,15 +137,16 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
     {
         return bodies_.correctCrowd(p_, dt);
     }
-    if (iteration_.first() || !bodies_.anyFree())
+    if (iteration_.first() || !layersServe())
     {
         return 0;
     }
 
     const scalar change = bodies_.pressure().update(p_, dt);
 
-    // The second one is compared with nothing of this time step
-    return iteration_.number() > 2 && addedMassHelps() ? lag*change : 0;
+    // The second one is compared with nothing of this time step; from the third
+    // one on added mass helps
+    return iteration_.number() > nPlain ? lag*change : 0;
 }
 
 

@@ -41,6 +41,11 @@ namespace
 }
 
 
+const Foam::label Foam::flowSolvers::immersedFluid::nPlain = 2;
+
+const Foam::scalar Foam::flowSolvers::immersedFluid::sudden = 0.3;
+
+
 void Foam::flowSolvers::immersedFluid::pressureCorrector()
 {
     addProfiling(pressure, "pressureCorrector");
@@ -180,11 +185,6 @@ Foam::scalar Foam::flowSolvers::immersedFluid::leastDensityRatio() const
 
     return least;
 }
-
-
-const Foam::label Foam::flowSolvers::immersedFluid::nPlain = 2;
-
-const Foam::scalar Foam::flowSolvers::immersedFluid::sudden = 0.3;
 
 
 bool Foam::flowSolvers::immersedFluid::layersServe() const

@@ -8,11 +8,6 @@ Foam::scalar Foam::immersedBodies::correctCrowd
     const scalar dt
 )
 {
-    if (!crowd_.active())
-    {
-        return 0;
-    }
-
     const vectorField gradP(pressure_.gradients(p));
     scalar most = 0;
 

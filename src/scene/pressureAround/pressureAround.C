@@ -23,9 +23,18 @@ Foam::vectorField Foam::pressureAround::gradients
 ) const
 {
     // On both sides of each body: the sum of the values in the cells there,
-    // and their number
-    FixedList<vectorField, 2> sums(vectorField(bodies_.size(), Zero));
-    FixedList<vectorField, 2> numbers(sums);
+    // and their number. One list, for one reduction
+    const label n = bodies_.size();
+    vectorField packed(4*n, Zero);
+
+    const auto sum = [&](const label side, const label bodyi) -> vector&
+    {
+        return packed[2*n*side + bodyi];
+    };
+    const auto number = [&](const label side, const label bodyi) -> vector&
+    {
+        return packed[2*n*side + n + bodyi];
+    };
 
     forAll(bodies_, bodyi)
     {
@@ -44,20 +53,16 @@ Foam::vectorField Foam::pressureAround::gradients
                     const label celli =
                         region_.search().findCell(x + im.shift);
 
-                    sums[side][bodyi][k] += celli >= 0 ? p[celli] : 0;
-                    numbers[side][bodyi][k] += celli >= 0;
+                    sum(side, bodyi)[k] += celli >= 0 ? p[celli] : 0;
+                    number(side, bodyi)[k] += celli >= 0;
                 }
             }
         }
     }
 
-    for (label side = 0; side < 2; ++side)
-    {
-        compat::allReduce(sums[side], plusEqOp<vector>());
-        compat::allReduce(numbers[side], plusEqOp<vector>());
-    }
+    compat::allReduce(packed, plusEqOp<vector>());
 
-    vectorField gradP(bodies_.size(), Zero);
+    vectorField gradP(n, Zero);
 
     forAll(gradP, bodyi)
     {
@@ -65,12 +70,12 @@ Foam::vectorField Foam::pressureAround::gradients
 
         for (direction k = 0; k < 3; ++k)
         {
-            const scalar n0 = numbers[0][bodyi][k], n1 = numbers[1][bodyi][k];
+            const scalar n0 = number(0, bodyi)[k], n1 = number(1, bodyi)[k];
 
             if (n0 > 0 && n1 > 0)
             {
                 gradP[bodyi][k] =
-                    (sums[1][bodyi][k]/n1 - sums[0][bodyi][k]/n0)/width;
+                    (sum(1, bodyi)[k]/n1 - sum(0, bodyi)[k]/n0)/width;
             }
         }
     }
