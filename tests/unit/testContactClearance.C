@@ -35,12 +35,13 @@ TEST_CASE("Pairs that are left out do not touch", "[contact]")
 
     for (label step = 0; step < 200; ++step)
     {
+        clearance.setSubStep(step);
         forAll(x, i)
         {
             x[i] += h*U[i];
             ways[i] += h*mag(U[i]);
             U[i] += 0.3*random.vector();
-            clearance.setWay(i, ways[i], ways[i] + h*mag(U[i]));
+            clearance.setWay(i, ways[i], 2*h*mag(U[i]));
         }
 
         label pairi = 0;

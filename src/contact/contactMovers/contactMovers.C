@@ -95,6 +95,8 @@ bool Foam::contactMovers::search
 
     clear();
     pairs_.clear();
+    send_.clear();
+    receive_.clear();
     numbers_.setSize(bodies.size());
     numbers_ = -1;
 

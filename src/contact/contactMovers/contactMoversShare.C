@@ -86,23 +86,24 @@ void Foam::contactMovers::exchangeVelocities()
         return;
     }
 
-    List<Pair<vector>> sent(send_.size()), received(receive_.size());
+    List<velocities> sent(send_.size()), received(receive_.size());
 
     forAll(send_, i)
     {
-        const bodyState& state = (*this)[send_[i]].state;
+        const contactMover& m = (*this)[send_[i]];
 
-        sent[i] = Pair<vector>(state.U, state.omega);
+        sent[i] = velocities{m.state.U, m.state.omega, m.kicked};
     }
 
     exchange(sent, sendStart_, received, receiveStart_);
 
     forAll(receive_, i)
     {
-        bodyState& state = (*this)[receive_[i]].state;
+        contactMover& m = (*this)[receive_[i]];
 
-        state.U = received[i].first();
-        state.omega = received[i].second();
+        m.state.U = received[i].U;
+        m.state.omega = received[i].omega;
+        m.kicked = received[i].kicked;
     }
 }
 

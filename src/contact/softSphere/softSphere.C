@@ -144,23 +144,31 @@ bool Foam::contactModels::softSphere::goThrough
         label(ceil(dt*subSteps_/shortestTime(dt))),
         label(1)
     );
-    const scalar subDt = dt/n;
-
-    // What ends a sub-step and begins the next is done at once
+    // What ends a sub-step and begins the next is done at once, but for films
     const bool films = lubrication_.active();
+    subStepMotion motion(movers_, bodies, clearance_, n, dt, meshU, films);
+    const scalar subDt = motion.h();
 
-    drift(bodies, 1, subDt, 0, meshU);
+    clearance_.setSlide(0.5*subDt*slideSpeed_, subDt*slideSpeed_);
+    slide(0.5*subDt);
+
     for (label i = 0; i < n; ++i)
     {
-        findTouches(bodies, walls, subDt, dt);
-        kick(subDt);
+        findTouches(bodies, walls, motion, dt);
+        kick(motion);
         if (films)
         {
             accelerate(subDt);
             lubricate(subDt);
         }
-        drift(bodies, i < n - 1 ? 2 : 1, subDt, films ? 0 : subDt, meshU);
+        if (i < n - 1)
+        {
+            motion.next(!films);
+            slide(subDt);
+        }
     }
+    motion.end(!films);
+    slide(0.5*subDt);
     sumSprings(subDt);
     movers_.putBack(bodies);
     movers_.collect();

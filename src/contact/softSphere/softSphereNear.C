@@ -167,10 +167,12 @@ void Foam::contactModels::softSphere::findTouches
 (
     PtrList<immersedBody>& bodies,
     const wallFacets& walls,
-    const scalar h,
+    subStepMotion& motion,
     const scalar dt
 )
 {
+    const scalar h = motion.h();
+
     for (const touched& t : touched_)
     {
         isTouched_[t.mover] = false;
@@ -178,6 +180,7 @@ void Foam::contactModels::softSphere::findTouches
     touched_.clear();
     touches_.clear();
     films_.clear();
+    motion.bringExchanged();
 
     forAll(candidates(), i)
     {
@@ -189,6 +192,12 @@ void Foam::contactModels::softSphere::findTouches
         candidate& c = candidates()[i];
         const label first = touches_.size();
         contactPoint point;
+
+        motion.bring(c.a);
+        if (c.b >= 0)
+        {
+            motion.bring(c.b);
+        }
 
         if (!apart(bodies, i, walls, h))
         {

@@ -76,7 +76,7 @@ bool Foam::contactModels::softSphere::search
     isTouched_ = false;
     touched_.clear();
     clearance_.reset(movers_.size());
-    slideSpeed_ = slideTime_ = 0;
+    slideSpeed_ = 0;
 
     for (const candidate& c : candidates())
     {

@@ -2,43 +2,10 @@
 
 #include "softSphere.H"
 
-void Foam::contactModels::softSphere::drift
-(
-    PtrList<immersedBody>& bodies,
-    const label n,
-    const scalar h,
-    const scalar accelerated,
-    const vector& meshU
-)
+void Foam::contactModels::softSphere::slide(const scalar time)
 {
-    const scalar time = 0.5*n*h;
-
-    forAll(movers_, i)
-    {
-        contactMover& m = movers_[i];
-
-        m.state.U += accelerated*m.acceleration;
-        m.state.omega += accelerated*m.spinRate;
-        m.drift(bodies, n, 0.5*h, meshU);
-
-        const scalar speed = contactMovers::speed(m.state.U, meshU);
-        const scalar spin = m.round ? 0 : m.radius*mag(m.state.omega);
-
-        m.way += time*speed;
-
-        const scalar way = m.way + m.turned;
-
-        clearance_.setWay(i, way, way + 0.5*h*(speed + spin));
-    }
-
     if (slideSpeed_ > 0)
     {
-        slideTime_ += time;
-        clearance_.setSlide
-        (
-            slideTime_*slideSpeed_, (slideTime_ + 0.5*h)*slideSpeed_
-        );
-
         for (candidate& c : candidates())
         {
             c.shift += time*c.velocity;
@@ -149,8 +116,10 @@ void Foam::contactModels::softSphere::halfKick(const scalar h)
 }
 
 
-void Foam::contactModels::softSphere::kick(const scalar h)
+void Foam::contactModels::softSphere::kick(subStepMotion& motion)
 {
+    const scalar h = motion.h();
+
     // Half of it with the forces at its start, all with those in the middle
     sumForces(false);
     halfKick(h);
@@ -166,13 +135,12 @@ void Foam::contactModels::softSphere::kick(const scalar h)
         const vector dU(h*cmptMultiply(m.inverseMass, F.linear));
         const vector dOmega(h*(m.inverseInertia & F.angular));
 
-        m.state.U = t.U + dU;
-        m.state.omega = t.omega + dOmega;
+        motion.setVelocities(t.mover, t.U + dU, t.omega + dOmega);
         m.dU += dU;
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;
     }
-    movers_.exchangeVelocities();
+    motion.kicked();
 }
 
 
