@@ -144,7 +144,6 @@ bool Foam::contactModels::softSphere::goThrough
         label(ceil(dt*subSteps_/shortestTime(dt))),
         label(1)
     );
-    // What ends a sub-step and begins the next is done at once, but for films
     const bool films = lubrication_.active();
     subStepMotion motion(movers_, bodies, clearance_, n, dt, meshU, films);
     const scalar subDt = motion.h();
@@ -163,11 +162,11 @@ bool Foam::contactModels::softSphere::goThrough
         }
         if (i < n - 1)
         {
-            motion.next(!films);
+            motion.next();
             slide(subDt);
         }
     }
-    motion.end(!films);
+    motion.end();
     slide(0.5*subDt);
     sumSprings(subDt);
     movers_.putBack(bodies);

@@ -10,7 +10,7 @@ Foam::subStepMotion::subStepMotion
     const label n,
     const scalar dt,
     const vector& meshU,
-    const bool followAll
+    const bool films
 )
 :
     movers_(movers),
@@ -19,6 +19,7 @@ Foam::subStepMotion::subStepMotion
     n_(n),
     h_(dt/n),
     meshU_(meshU),
+    accelerated_(films ? 0 : h_),
     step_(0),
     flights_(movers.size())
 {
@@ -26,25 +27,31 @@ Foam::subStepMotion::subStepMotion
 
     forAll(movers_, i)
     {
-        contactMover& m = movers_[i];
-
-        if (followAll || !m.round || m.tumbles)
+        if (films || !movers_[i].round)
         {
             followed_.append(i);
-            continue;
         }
-
-        flight& f = flights_[i];
-
-        f.from = step_;
-        m.state.position += 0.5*h_*(m.state.U - meshU_);
-        f.omega = m.state.omega;
-        f.rotation = 0.5*h_*f.omega;
-        f.way = 0.5*h_*contactMovers::speed(m.state.U, meshU_);
-        fly(i);
+        else
+        {
+            takeOff(i);
+        }
     }
 
     follow(1, 0);
+}
+
+
+void Foam::subStepMotion::takeOff(const label moveri)
+{
+    contactMover& m = movers_[moveri];
+    flight& f = flights_[moveri];
+
+    f.from = step_;
+    f.omega = m.state.omega;
+    f.rotation = 0.5*h_*f.omega;
+    f.way = 0.5*h_*contactMovers::speed(m.state.U, meshU_);
+    m.state.position += 0.5*h_*(m.state.U - meshU_);
+    fly(moveri);
 }
 
 
@@ -170,16 +177,16 @@ void Foam::subStepMotion::kicked()
 }
 
 
-void Foam::subStepMotion::next(const bool accelerated)
+void Foam::subStepMotion::next()
 {
     clearance_.setSubStep(++step_);
-    follow(2, accelerated ? h_ : 0);
+    follow(2, accelerated_);
 }
 
 
-void Foam::subStepMotion::end(const bool accelerated)
+void Foam::subStepMotion::end()
 {
-    follow(1, accelerated ? h_ : 0);
+    follow(1, accelerated_);
 
     forAll(flights_, i)
     {
