@@ -28,13 +28,13 @@ scalar overlap(const fvMesh& mesh, const std::string& second)
     bodies.beginStep();
     bodies.predict(false);
 
-    return bodies.region().overlap();
+    return bodies.region().bands().overlap();
 }
 
 } // End anonymous namespace
 
 
-TEST_CASE("Part of the cells in bands of several bodies", "[immersedRegion]")
+TEST_CASE("Part of the cells in bands of several bodies", "[bodyBands]")
 {
     const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
     testTools::boxMesh box;

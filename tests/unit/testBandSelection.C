@@ -39,9 +39,9 @@ struct given
 
     explicit given(const fvMesh& mesh, const immersedRegion& region)
     :
-        K(region.K()),
-        shield(region.shield()),
-        faceShield(region.faceShield()),
+        K(region.sums().K()),
+        shield(region.sums().shield()),
+        faceShield(region.sums().faceShield()),
         phi
         (
             IOobject("phi", "0", mesh),
@@ -49,7 +49,7 @@ struct given
             dimensionedScalar("phi", dimVolume/dimTime, 0.01)
         )
     {
-        region.shieldFlux(phi);
+        region.sums().shieldFlux(phi);
     }
 };
 

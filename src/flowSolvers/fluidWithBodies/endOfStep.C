@@ -234,7 +234,7 @@ void Foam::flowSolvers::fluidWithBodies::check()
     reportTraffic();
 
     Info<< "    cells in the bands of bodies: "
-        << returnReduce(bodies_.region().nCells(), sumOp<label>()) << nl
+        << returnReduce(bodies_.region().cells().size(), sumOp<label>()) << nl
         << "    body    width/h    density ratio    position    velocity" << nl;
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)

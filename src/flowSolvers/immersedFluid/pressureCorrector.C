@@ -122,8 +122,10 @@ void Foam::flowSolvers::immersedFluid::predictBodyFlux()
 
     if (momentum_.inBands())
     {
+        const immersedRegion& region = bodies_.region();
         DynamicList<label> faces;
-        bodies_.region().bandFaces(faces);
+
+        region.surroundings().faces(region.cells(), faces);
         flux.set(faces, phi_);
     }
     else
@@ -133,7 +135,7 @@ void Foam::flowSolvers::immersedFluid::predictBodyFlux()
     }
 
     MRF.makeRelative(phi_);
-    bodies_.region().shieldFlux(phi_);
+    bodies_.region().sums().shieldFlux(phi_);
 
     // In the bands of bodies it is the same as before
     if

@@ -50,9 +50,9 @@ Foam::layerProjection::layerProjection
 
 void Foam::layerProjection::setResponse(const scalar c)
 {
-    const scalarField& K = region_.K();
-    const scalarField& shield = region_.shield();
-    const scalarField& faceShield = region_.faceShield();
+    const scalarField& K = region_.sums().K();
+    const scalarField& shield = region_.sums().shield();
+    const scalarField& faceShield = region_.sums().faceShield();
 
     // The flux responds to a pressure that alternates by its smoothing, which
     // bodies do not reduce

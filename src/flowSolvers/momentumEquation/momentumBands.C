@@ -32,22 +32,18 @@ bool Foam::momentumEquation::solveInBands
 {
     addProfiling(bands, "momentumEquation::solveInBands");
 
-    const immersedRegion& region = bodies_.region();
-
     if (!stokes_)
     {
-        vectorField& source = eqn_.ref().source();
-
-        UIndirectList<vector>(source, corrected_) = uncorrected_;
-        corrected_ = region.cells();
-        uncorrected_ = vectorField(source, corrected_);
-        region.addConvection(phi_, convecting_(), U_, source);
+        bands_.correctConvection
+        (
+            phi_, convecting_(), U_, eqn_.ref().source()
+        );
     }
 
     bodies_.updateResistance(ddt, A_(), viscosity(), true);
 
     const dictionary& solver = U_.mesh().solver(U_.select(true));
-    const label nSweeps = region.relax
+    const label nSweeps = bands_.relax
     (
         eqn_.ref(),
         drive(gradP)(),

@@ -32,6 +32,7 @@ Foam::momentumEquation::momentumEquation
     bodies_(bodies),
     uniformViscosity_(uniformViscosity),
     stokes_(word(U.mesh().divScheme("div(phi,U)")) == "none"),
+    bands_(bodies.region()),
     inBands_(false),
     diverged_(false)
 {
@@ -103,16 +104,14 @@ void Foam::momentumEquation::addBodies(const vectorField& drive)
         source_[celli] = source[celli];
         source[celli] -= V[celli]*drive[celli];
     }
-    bodies_.region().penalise(A_(), drive, eqn_.ref(), replaced_);
+    bands_.penalise(A_(), drive, eqn_.ref());
 }
 
 
 void Foam::momentumEquation::removeBodies()
 {
-    bodies_.region().unpenalise(replaced_, eqn_.ref());
+    bands_.unpenalise(eqn_.ref());
     eqn_.ref().source().swap(source_);
-    corrected_.clear();
-    uncorrected_.clear();
 }
 
 

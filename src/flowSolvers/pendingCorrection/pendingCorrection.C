@@ -32,16 +32,16 @@ Foam::pendingCorrection::pendingCorrection
 
 void Foam::pendingCorrection::findCells()
 {
-    version_ = region_.version();
+    version_ = region_.bands().version();
 
     const label nCells = sum_.size();
-    labelVector n(region_.nCells(), nCells, 0);
+    labelVector n(region_.cells().size(), nCells, 0);
     reduce(n, sumOp<labelVector>());
     few_ = n[0] < maxPart*n[1];
 
     if (few_)
     {
-        region_.bandAndBeside(part_.cells);
+        region_.surroundings().withBeside(region_.cells(), part_.cells);
         beside_.reset();
         beside_.resize(nCells);
         beside_.set(part_.cells);
@@ -52,7 +52,7 @@ void Foam::pendingCorrection::findCells()
 
 bool Foam::pendingCorrection::outdated() const
 {
-    return returnReduce(version_ != region_.version(), orOp<bool>());
+    return returnReduce(version_ != region_.bands().version(), orOp<bool>());
 }
 
 

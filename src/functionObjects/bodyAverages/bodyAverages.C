@@ -36,7 +36,7 @@ Foam::functionObjects::bodyAverages::bodyAverages
     withFields_(true)
 {
     read(dict);
-    bodies_.region().keepForces();
+    bodies_.region().loads().keepForces();
     bodyFunctionObject::resolvedOnly(bodies_, name, "averages");
 }
 

@@ -32,7 +32,7 @@ Foam::Pair<Foam::scalarField> Foam::bodyFractions::set
         {
             const scalar v = V[one.cells[i]];
             const scalar f =
-                immersedRegion::fractionInside(one, i, offsets[one.body()]);
+                one.fractionInside(i, offsets[one.body()]);
 
             fractions[i] = f;
             sums.first()[one.body()] += f*v;

@@ -57,7 +57,7 @@ Foam::functionObjects::closureFit::closureFit
     start_(0)
 {
     read(dict);
-    bodies_.region().keepForces();
+    bodies_.region().loads().keepForces();
     bodyFunctionObject::resolvedOnly(bodies_, name, "fit");
 }
 

@@ -58,7 +58,7 @@ Foam::functionObjects::suspensionStress::suspensionStress
     read(dict);
 
     record_.reset(new stressRecord(name, mesh_, names()));
-    bodies_.region().keepForces();
+    bodies_.region().loads().keepForces();
     bodyFunctionObject::resolvedOnly(bodies_, name, "stress");
 }
 

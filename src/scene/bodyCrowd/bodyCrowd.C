@@ -33,7 +33,7 @@ void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
         nFree += body.resolved() && body.isFree();
     }
 
-    active_ = may && nFree >= many && region.overlap() > close;
+    active_ = may && nFree >= many && region.bands().overlap() > close;
 }
 
 

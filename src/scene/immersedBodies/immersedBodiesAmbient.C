@@ -99,11 +99,11 @@ void Foam::immersedBodies::setAmbient(const volVectorField& U)
 
 void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
 {
-    region_.setRigidMotion(bodies_, U.primitiveFieldRef());
+    region_.interior().setRigidMotion(bodies_, U.primitiveFieldRef());
 
     if (U.nOldTimes())
     {
-        region_.setRigidMotion(bodies_, U.oldTime().primitiveFieldRef());
+        region_.interior().setRigidMotion(bodies_, U.oldTime().primitiveFieldRef());
     }
     U.correctBoundaryConditions();
 }

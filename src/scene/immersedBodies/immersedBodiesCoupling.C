@@ -24,7 +24,7 @@ const Foam::DynamicList<Foam::label>& Foam::immersedBodies::cellsBeside
 ) const
 {
     return bodies_[bodyi].resolved()
-      ? region_.region(bodyi).cells
+      ? region_.regions()[bodyi].cells
       : unresolved_->cells(bodyi);
 }
 
@@ -105,7 +105,7 @@ Foam::scalarField Foam::immersedBodies::localCellSizes() const
         {
             sizes[bodyi] = bodyCellSizes::largest
             (
-                region_.region(bodyi), region_.search()
+                region_.regions()[bodyi], region_.search()
             ).first();
         }
     }
@@ -171,7 +171,7 @@ void Foam::immersedBodies::selectCoupling(volVectorField& U)
     {
         if (resolved.found(region.body()))
         {
-            region_.restartFluid(bodies_[region.body()], region, U);
+            region_.interior().restartFluid(bodies_[region.body()], region, U);
         }
     }
     U.correctBoundaryConditions();
@@ -271,7 +271,7 @@ void Foam::immersedBodies::advance
 
 Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
 {
-    tmp<volScalarField> tfraction(region_.bodyFraction());
+    tmp<volScalarField> tfraction(region_.interior().fraction());
 
     unresolved_->addFraction(tfraction.ref().primitiveFieldRef());
     tfraction.ref().correctBoundaryConditions();

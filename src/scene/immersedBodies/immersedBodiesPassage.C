@@ -146,8 +146,8 @@ bool Foam::immersedBodies::enter
     const displacedFluid fluid
     (
         body->resolved()
-      ? region_.fluidInside(body(), region, U)
-      : region_.fluidAt(body->state().position, U)
+      ? region_.interior().fluidInside(body(), region, U)
+      : region_.interior().fluidAt(body->state().position, U)
     );
 
     body->setAmbient(fluid.velocity(), fluid.angularVelocity());
@@ -155,7 +155,7 @@ bool Foam::immersedBodies::enter
     // As at the start of a run, for all time levels there are
     if (body->resolved())
     {
-        region_.restartFluid(body(), region, U);
+        region_.interior().restartFluid(body(), region, U);
     }
 
     bodies_.append(std::move(body));

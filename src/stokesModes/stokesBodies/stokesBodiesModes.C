@@ -98,7 +98,7 @@ Foam::scalarField Foam::stokesBodies::loads
             const vector drive(flow.gradP[celli] - f);
             const scalar A0 = A0_[celli], K = K_[celli];
 
-            // As immersedRegion::load(): rows are solved to a velocity, and
+            // As bandLoads::add(): rows are solved to a velocity, and
             // the resistance times a difference of velocities is not accurate
             const vector q
             (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedRegion.H"
+#include "bodyRegions.H"
 
 namespace
 {
@@ -27,7 +27,59 @@ Foam::label findFor
 } // End anonymous namespace
 
 
-void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
+Foam::bodyRegions::bodyRegions
+(
+    const periodicity& periods,
+    const label nBodies
+)
+:
+    periodicity_(periods),
+    regions_(nBodies)
+{
+    forAll(regions_, bodyi)
+    {
+        regions_.set(bodyi, new bodyRegion(bodyi));
+    }
+}
+
+
+void Foam::bodyRegions::add(const label bodyi)
+{
+    regions_.resize(regions_.size() + 1);
+
+    // Before the images
+    for (label i = regions_.size() - 1; i > bodyi; --i)
+    {
+        regions_.set(i, regions_.release(i - 1));
+    }
+    regions_.set(bodyi, new bodyRegion(bodyi));
+}
+
+
+void Foam::bodyRegions::remove(const label bodyi)
+{
+    PtrList<bodyRegion> others(regions_.size());
+    label n = 0;
+
+    forAll(regions_, i)
+    {
+        if (regions_[i].body() != bodyi)
+        {
+            others.set(n, regions_.release(i));
+            others[n++].moveUp(bodyi);
+        }
+    }
+
+    others.resize(n);
+    regions_.transfer(others);
+}
+
+
+void Foam::bodyRegions::updateImages
+(
+    const PtrList<immersedBody>& bodies,
+    const scalar bandWidth
+)
 {
     bool any = false;
 
@@ -57,8 +109,7 @@ void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
             continue;
         }
 
-        const scalar reach =
-            bodyRegion::reach(body, resistance_->bandWidth());
+        const scalar reach = bodyRegion::reach(body, bandWidth);
 
         for
         (
@@ -74,11 +125,11 @@ void Foam::immersedRegion::updateImages(const PtrList<immersedBody>& bodies)
         }
     }
 
-    setRegions(of, images);
+    set(of, images);
 }
 
 
-void Foam::immersedRegion::setRegions
+void Foam::bodyRegions::set
 (
     const UList<label>& of,
     const UList<periodicity::image>& images
@@ -93,7 +144,6 @@ void Foam::immersedRegion::setRegions
 
     if (!same)
     {
-        // What has been found for them stays valid
         PtrList<bodyRegion> regions(of.size());
 
         forAll(regions, i)

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyBands.H"
+#include <algorithm>
+
+namespace
+{
+
+//- Set `all` to the labels of all regions, each once; size: one more than the
+//  largest of them
+void unite
+(
+    const Foam::PtrList<Foam::bodyRegion>& regions,
+    const Foam::DynamicList<Foam::label> Foam::bodyRegion::*labels,
+    const Foam::label size,
+    Foam::DynamicList<Foam::label>& all
+)
+{
+    all.clear();
+
+    if (regions.size() == 1)
+    {
+        all = regions[0].*labels;
+        return;
+    }
+
+    Foam::bitSet met(size);
+
+    for (const Foam::bodyRegion& region : regions)
+    {
+        for (const Foam::label i : region.*labels)
+        {
+            if (met.set(i))
+            {
+                all.append(i);
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::bodyBands::bodyBands
+(
+    const cellSearch& search,
+    const cellSurroundings& surroundings,
+    const periodicity& periods,
+    const resistanceModel& resistance,
+    bodyList& bodies
+)
+:
+    bodyList::dependent(bodies),
+    search_(search),
+    surroundings_(surroundings),
+    resistance_(resistance),
+    regions_(periods, bodies.size()),
+    selection_(search.mesh()),
+    same_(false),
+    version_(0)
+{}
+
+
+void Foam::bodyBands::added()
+{
+    selectAll();
+    regions_.add(bodies().size() - 1);
+}
+
+
+void Foam::bodyBands::removed(const label bodyi)
+{
+    selectAll();
+    regions_.remove(bodyi);
+}
+
+
+bool Foam::bodyBands::stillValid(const PtrList<immersedBody>& bodies) const
+{
+    forAll(bodies, bodyi)
+    {
+        if (selected(bodyi) && !regions_[bodyi].stillValid(bodies[bodyi]))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+Foam::UPtrList<Foam::bodyRegion> Foam::bodyBands::worked()
+{
+    if (selection_.few())
+    {
+        return selection_.regionsAndParts();
+    }
+
+    UPtrList<bodyRegion> all(regions().size());
+
+    forAll(all, i)
+    {
+        all.set(i, &regions()[i]);
+    }
+
+    return all;
+}
+
+
+Foam::scalar Foam::bodyBands::overlap() const
+{
+    // With those in several bands as often as they are there
+    label all = 0;
+
+    for (const bodyRegion& region : regions())
+    {
+        all += region.cells.size();
+    }
+
+    const scalar once = returnReduce(cells_.size(), sumOp<label>());
+
+    return (returnReduce(all, sumOp<label>()) - once)/max(once, 1);
+}
+
+
+void Foam::bodyBands::selectAll()
+{
+    if (selection_.few())
+    {
+        selection_.selectAll();
+        ++version_;
+    }
+}
+
+
+Foam::bodyRegion::change Foam::bodyBands::updateRegion
+(
+    const immersedBody& body,
+    const bool changed,
+    const bool again,
+    bodyRegion& region
+)
+{
+    typedef bodyRegion::change change;
+
+    if (!body.resolved())
+    {
+        return region.clear() ? change::anew : change::none;
+    }
+
+    const change done =
+        region.update(body, search_, resistance_.bandWidth(), again);
+
+    // One that is new may have been placed in the mesh before
+    if (changed || done != change::none)
+    {
+        resistance_.setShield(body, region);
+    }
+
+    return done;
+}
+
+
+void Foam::bodyBands::updateFew(const PtrList<immersedBody>& bodies)
+{
+    selection_.clearBands();
+
+    // Where they have been they leave something
+    selection_.addBands();
+
+    for (bodyRegion& region : selection_.regions())
+    {
+        updateRegion(bodies[region.body()], false, true, region);
+    }
+
+    selection_.addBands();
+
+    DynamicList<label> faces;
+    surroundings_.faces(selection_.cells(), faces);
+    selection_.addFaces(faces);
+    selection_.findParts(regions());
+    ++version_;
+}
+
+
+Foam::bodyRegion::change Foam::bodyBands::update
+(
+    const PtrList<immersedBody>& bodies,
+    const bool changed,
+    const bool again
+)
+{
+    typedef bodyRegion::change change;
+
+    if (changed || !again)
+    {
+        selectAll();
+    }
+
+    // By the bodies alone, which are the same on all processors
+    same_ = again && !changed && !selection_.over() && stillValid(bodies);
+
+    if (selection_.few())
+    {
+        updateFew(bodies);
+        return change::moved;
+    }
+    if (same_)
+    {
+        return change::none;
+    }
+
+    regions_.updateImages(bodies, resistance_.bandWidth());
+
+    change most = changed || selection_.over() ? change::anew : change::none;
+
+    for (bodyRegion& region : regions())
+    {
+        const immersedBody& body = bodies[region.body()];
+
+        most = std::max(most, updateRegion(body, changed, again, region));
+    }
+
+    return most;
+}
+
+
+void Foam::bodyBands::collect()
+{
+    const fvMesh& mesh = search_.mesh();
+
+    ++version_;
+    selection_.forget();
+    unite(regions(), &bodyRegion::cells, mesh.nCells(), cells_);
+    unite(regions(), &bodyRegion::faces, mesh.nFaces(), faces_);
+}
