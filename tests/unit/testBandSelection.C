@@ -3,6 +3,7 @@
 #include "testTools.H"
 #include "boxMesh.H"
 #include "ddtCoefficients.H"
+#include "freeVelocities.H"
 #include "immersedBodies.H"
 #include "immersedRegion.H"
 #include "surfaceFields.H"
@@ -88,21 +89,21 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     bodies.beginStep();
     bodies.predict(false);
     bodies.findCrowd(false);
-    CHECK(!bodies.crowded());
+    CHECK(!bodies.crowd().active());
     bodies.findCrowd(true);
-    REQUIRE(bodies.crowded());
+    REQUIRE(bodies.crowd().active());
     bodies.updateResistance(ddt, A0, nu);
     const given start(*mesh, bodies.region());
 
     // The first one moves, by less and by more than a hundredth of a cell
     const scalar move = GENERATE(0.01, 0.5);
-    vectorField velocities(bodies.velocities());
+    vectorField velocities(freeVelocities::get(bodies.list()));
 
     velocities[0] = vector(move, 0, 0);
     bodies.setVelocities(velocities);
     bodies.predict(true, 0.1*move);
 
-    REQUIRE(bodies.someWait());
+    REQUIRE(bodies.region().bands().few());
     CHECK(bodies.region().selected(0));
     CHECK(!bodies.region().selected(1));
 
@@ -110,7 +111,7 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     const given few(*mesh, bodies.region());
 
     bodies.predict(true);
-    CHECK(!bodies.someWait());
+    CHECK(!bodies.region().bands().few());
     bodies.updateResistance(ddt, A0, nu, true);
     const given all(*mesh, bodies.region());
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "denseFluid.H"
+#include "bodyProperties.H"
 #include "flowRateForce.H"
 
 void Foam::flowSolvers::denseFluid::checkCase() const
 {
-    const IOdictionary properties(immersedBodies::readProperties(mesh_));
+    const IOdictionary properties(bodyProperties::read(mesh_));
 
     if (bodies_.window().comoving())
     {

@@ -6,6 +6,7 @@
 #include "fvcFlux.H"
 #include "projection.H"
 #include "surfaceInterpolate.H"
+#include "unresolvedBodies.H"
 #include "wallFvPatch.H"
 
 namespace Foam
@@ -102,7 +103,7 @@ void Foam::flowSolvers::denseFluid::setVoid()
 {
     const tmp<volScalarField> tsolid(bodies_.bodyFraction());
     const scalarField& solid = tsolid().primitiveField();
-    const scalar least = bodies_.minVoid();
+    const scalar least = bodies_.unresolved().coupling().minVoid();
     label n = 0;
 
     forAll(solid, celli)
@@ -188,7 +189,7 @@ void Foam::flowSolvers::denseFluid::postSolve()
 
     if (bodies_.size() != nBodies_ || bodies_.departed().size())
     {
-        bodies_.updateKernels();
+        bodies_.unresolved().update();
         setVoid();
     }
 }

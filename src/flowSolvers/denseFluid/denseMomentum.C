@@ -9,6 +9,7 @@
 #include "fvmLaplacian.H"
 #include "meshProperties.H"
 #include "profiling.H"
+#include "unresolvedBodies.H"
 
 namespace
 {
@@ -69,10 +70,10 @@ void Foam::flowSolvers::denseFluid::linearise()
     drag_ = scalar(0);
     part_ = scalar(1);
     force_ = Zero;
-    bodies_.linearise(ddt, flow, a_, drag_, part_, force_);
+    bodies_.unresolved().linearise(ddt, flow, a_, drag_, part_, force_);
 
     // Pressure must drive the fluid, however much grains overlap
-    part_ = max(part_, bodies_.minVoid());
+    part_ = max(part_, bodies_.unresolved().coupling().minVoid());
 }
 
 

@@ -10,6 +10,7 @@
 #include "profiling.H"
 #include "smoothedFlux.H"
 #include "surfaceInterpolate.H"
+#include "unresolvedBodies.H"
 
 void Foam::flowSolvers::denseFluid::project
 (
@@ -91,5 +92,5 @@ void Foam::flowSolvers::denseFluid::pressureCorrector()
     gradP_.clear();
     smoothing_.clear();
 
-    bodies_.advance(meshProperties::ddt(mesh_, U_.name()), U_, a_);
+    bodies_.unresolved().advance(meshProperties::ddt(mesh_, U_.name()), U_, a_);
 }

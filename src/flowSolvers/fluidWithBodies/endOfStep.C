@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidWithBodies.H"
+#include "bodyContacts.H"
+#include "bodyProperties.H"
 
 void Foam::flowSolvers::fluidWithBodies::postSolve()
 {
@@ -9,7 +11,6 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
     if (good)
     {
         bodies_.enter(U_);
-        bodies_.selectCoupling(U_);
     }
 
     continuityErrors();
@@ -27,7 +28,7 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
         bodies_.bodyFraction()->write();
     }
 
-    if (!(bodies_.maxSpeed() < GREAT))
+    if (!(bodies_.list().maxSpeed() < GREAT))
     {
         FatalErrorInFunction
             << "The velocities of the bodies have diverged at time "
@@ -37,13 +38,15 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
 
     if (!good)
     {
+        const string& overlaps = bodies_.contacts().proximity().overlaps();
+
         stop
         (
-            bodies_.proximity().overlaps().empty()
+            overlaps.empty()
           ? "a body has left the mesh, see above; it may leave through patches"
             " in 'leaving' only, and in this step bodies moved through "
           + name(bodies_.courantNo()) + " cells"
-          : "bodies overlap: " + bodies_.proximity().overlaps(),
+          : "bodies overlap: " + overlaps,
             true
         );
     }
@@ -91,13 +94,13 @@ void Foam::flowSolvers::fluidWithBodies::reportProgress() const
     Info<< "Progress: step " << runTime_.timeIndex()
         << ", Courant number " << CoNum
         << ", bodies " << bodies_.size();
-    if (bodies_.nAsleep())
+    if (bodies_.list().nAsleep())
     {
-        Info<< " (" << bodies_.nAsleep() << " asleep)";
+        Info<< " (" << bodies_.list().nAsleep() << " asleep)";
     }
     Info<< ", ";
     reportIterations(Info);
-    Info<< ", slip " << bodies_.slip() << " m/s"
+    Info<< ", slip " << bodies_.loads().slip() << " m/s"
         << ", time left "
         << round(secondsLeft) << " s"
         << endl;
@@ -142,12 +145,14 @@ void Foam::flowSolvers::fluidWithBodies::warnOfSlip()
     const scalar speed =
         CoNum*bodies_.minCellSize()/runTime_.deltaTValue();
 
-    if (bodies_.slip() > large*speed)
+    const scalar slip = bodies_.loads().slip();
+
+    if (slip > large*speed)
     {
         warnedOfSlip_ = true;
         WarningInFunction
             << "Flow goes through the bodies: its mean speed in them, relative"
-            << " to them, is " << bodies_.slip() << " m/s (largest speed about "
+            << " to them, is " << slip << " m/s (largest speed about "
             << speed << " m/s). Bodies that block the whole way of a flow whose"
             << " rate is given leave it no other; otherwise a smaller time step"
             << " may help" << nl << endl;
@@ -193,7 +198,7 @@ void Foam::flowSolvers::fluidWithBodies::endIfSteady()
 
 void Foam::flowSolvers::fluidWithBodies::reportTraffic() const
 {
-    const IOdictionary dict(immersedBodies::readProperties(mesh_));
+    const IOdictionary dict(bodyProperties::read(mesh_));
     const dictionary injectors(dict.subOrEmptyDict("injection"));
     const dictionary leaving(dict.subOrEmptyDict("leaving"));
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidWithBodies.H"
+#include "bodyContacts.H"
+#include "bodyProperties.H"
 #include "carrierFlow.H"
 #include "compatMesh.H"
 #include "functionObject.H"
 #include "meshProperties.H"
+#include "unresolvedBodies.H"
 
 Foam::flowSolvers::fluidWithBodies::fluidWithBodies(dynamicFvMesh& mesh)
 :
     incompressibleFluid(mesh, true),
     ownBodies_
     (
-        new immersedBodies(mesh, immersedBodies::readProperties(mesh))
+        new immersedBodies(mesh, bodyProperties::read(mesh))
     ),
     startTime_(mesh.time().value()),
     warned_(false),
@@ -41,7 +44,7 @@ void Foam::flowSolvers::fluidWithBodies::checkSettings()
 
     if
     (
-        bodies_.disperse()
+        bodies_.unresolved().coupling().disperses()
      && momentumTransport->get<word>("simulationType") == "laminar"
     )
     {
@@ -164,8 +167,8 @@ void Foam::flowSolvers::fluidWithBodies::reportSetUp
     string skipped;
     skipped += bodies_.moving() ? "" : ", motion of bodies";
     skipped += ofFluid;
-    skipped += bodies_.contact() ? "" : ", contact";
-    skipped += bodies_.lubrication() ? "" : ", lubrication";
+    skipped += bodies_.contacts().active() ? "" : ", contact";
+    skipped += bodies_.contacts().lubrication() ? "" : ", lubrication";
 
     reportIgnored();
     Info<< "    skipped: "
@@ -201,7 +204,7 @@ Foam::flowSolvers::fluidWithBodies::moveUnresolved(const ddtCoefficients& ddt)
 {
     tmp<volScalarField> tk, tepsilon;
 
-    if (bodies_.disperse())
+    if (bodies_.unresolved().coupling().disperses())
     {
         tk = momentumTransport->k();
         tepsilon = momentumTransport->epsilon();
@@ -219,5 +222,5 @@ Foam::flowSolvers::fluidWithBodies::moveUnresolved(const ddtCoefficients& ddt)
         nullptr
     };
 
-    return bodies_.correctUnresolved(ddt, flow);
+    return bodies_.unresolved().correct(ddt, flow);
 }

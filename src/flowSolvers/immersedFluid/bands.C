@@ -29,7 +29,7 @@ bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
      && !acceleration_.active()
      && !bodies_.window().comoving()
      && !MRF.MRFZoneList::size()
-     && !bodies_.nUnresolved()
+     && !bodies_.list().nUnresolved()
      && runTime_.timeIndex() > 1
      && viscousReach_ < maxBandReach;
 }

@@ -37,7 +37,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::speedLimit
     const scalar speed = max
     (
         fluidSpeed() + mag(bodies_.window().velocity()),
-        max(change, bodies_.contactSpeed())
+        max(change, bodies_.list().contactSpeed())
     );
 
     // From rest only the first iteration knows how fast it will be
@@ -53,7 +53,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::bodySpeed() const
     // others with what keeps it there
     return max
     (
-        max(bodies_.maxSpeed(), bodies_.contactSpeed()),
+        max(bodies_.list().maxSpeed(), bodies_.list().contactSpeed()),
         0.01*fluidSpeed()
     );
 }
@@ -62,15 +62,15 @@ Foam::scalar Foam::flowSolvers::immersedFluid::bodySpeed() const
 bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 {
     return !bodies_.moving()
-     || bodies_.atRest()
-     || !bodies_.nResolved()
+     || bodies_.list().atRest()
+     || !bodies_.list().nResolved()
      || bodies_.steady().active();
 }
 
 
 bool Foam::flowSolvers::immersedFluid::crowdFollows() const
 {
-    if (!bodies_.crowded() || !layers_.active())
+    if (!bodies_.crowd().active() || !layers_.active())
     {
         return false;
     }
@@ -113,9 +113,9 @@ Foam::outerIteration::rate Foam::flowSolvers::immersedFluid::rate() const
 
 bool Foam::flowSolvers::immersedFluid::addedMassHelps() const
 {
-    if (bodies_.crowded())
+    if (bodies_.crowd().active())
     {
-        return bodies_.staysCrowded();
+        return bodies_.crowd().goesOn();
     }
 
     // Velocities that converge in two iterations do so to a smaller error
@@ -133,7 +133,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
     const scalar dt
 )
 {
-    if (bodies_.crowded())
+    if (bodies_.crowd().active())
     {
         return bodies_.correctCrowd(p_, dt);
     }
@@ -155,7 +155,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     const ddtCoefficients& ddt
 )
 {
-    const bool free = bodies_.anyFree();
+    const bool free = bodies_.list().anyFree();
     const scalar ofBodies = bodies_.correct
     (
         ddt,

@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyProperties.H"
 #include "bodyWalls.H"
 #include "denseFluid.H"
 #include "frozenFluid.H"
@@ -37,12 +38,12 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
     dynamicFvMesh& mesh
 )
 {
-    const IOdictionary dict(immersedBodies::readProperties(mesh));
+    const IOdictionary dict(bodyProperties::read(mesh));
 
     const dictionary coupling(dict.subOrEmptyDict("coupling"));
     const word fluid(unresolvedCoupling::fluid(coupling));
 
-    if (!immersedBodies::any(dict) && fluid != "projected")
+    if (!bodyProperties::any(dict) && fluid != "projected")
     {
         Info<< "No immersed bodies: solving as incompressibleFluid" << nl
             << endl;

@@ -46,7 +46,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         return;
     }
 
-    if (bodies_.someWait())
+    if (bodies_.region().bands().few())
     {
         // The matrix is to be that of all
         bodies_.predict(true);
@@ -110,7 +110,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
     // first step of a run has one previous level only
     const bool can =
         bodies_.moving()
-     && bodies_.nResolved()
+     && bodies_.list().nResolved()
      && !bodies_.window().comoving()
      && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
@@ -156,7 +156,7 @@ void Foam::flowSolvers::immersedFluid::correctUnresolved
     const ddtCoefficients& ddt
 )
 {
-    if (bodies_.nUnresolved())
+    if (bodies_.list().nUnresolved())
     {
         const tmp<vectorField> tchange(moveUnresolved(ddt));
 

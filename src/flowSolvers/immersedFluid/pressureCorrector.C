@@ -5,6 +5,7 @@
 #include "constrainPressure.H"
 #include "faceSums.H"
 #include "findRefCell.H"
+#include "freeVelocities.H"
 #include "inletOutletFvPatchFields.H"
 #include "meshProperties.H"
 #include "profiling.H"
@@ -78,13 +79,13 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     }
     holdFlowRate(tau.value());
 
-    const vectorField before(bodies_.velocities());
+    const vectorField before(freeVelocities::get(bodies_.list()));
 
     bodyCorrector(ddt);
     makeRelative(bodies_.window().velocity());
     correction_.apply();
     fvOptions.correct(U_);
-    accelerate(bodies_.velocities() - before);
+    accelerate(freeVelocities::get(bodies_.list()) - before);
 
     if (!bandsFollow())
     {
@@ -192,7 +193,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::leastDensityRatio() const
 bool Foam::flowSolvers::immersedFluid::layersServe() const
 {
     return
-        bodies_.anyFree()
+        bodies_.list().anyFree()
      && viscousReach_ <= maxLayerReach
      && CoNum <= maxLayerCourant
      && leastDensityRatio() >= leastRatio;
@@ -205,9 +206,9 @@ bool Foam::flowSolvers::immersedFluid::layersLag() const
         iteration_.change() > sudden
      && leastDensityRatio() >= leastRatioAtStart;
 
-    return
-        iteration_.number() > (bodies_.crowded() ? 0 : start ? 1 : nPlain)
-     && layersServe();
+    const label before = bodies_.crowd().active() ? 0 : start ? 1 : nPlain;
+
+    return iteration_.number() > before && layersServe();
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "momentumEquation.H"
+#include "unresolvedBodies.H"
 #include "vectorSmoothSolver.H"
 
 namespace
@@ -85,7 +86,7 @@ void Foam::momentumEquation::clear()
 void Foam::momentumEquation::assemble(const ddtCoefficients& ddt)
 {
     eqn_ = make(ddt);
-    bodies_.addUnresolved(force_);
+    bodies_.unresolved().addLoads(force_);
     A_ = eqn_().A();
     smoothing_ = smoothingPart/A_();
     bodies_.updateResistance(ddt, A_(), viscosity());

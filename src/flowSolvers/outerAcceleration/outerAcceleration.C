@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outerAcceleration.H"
+#include "freeVelocities.H"
 
 namespace
 {
@@ -81,8 +82,8 @@ void Foam::outerAcceleration::apply
         cells_ = bodies.region().cells();
     }
 
-    vectorField velocities(bodies.velocities());
-    const vectorField weights(bodies.velocityWeights());
+    vectorField velocities(freeVelocities::get(bodies.list()));
+    const vectorField weights(freeVelocities::weights(bodies.list()));
     const label nBodies = 3*velocities.size();
     scalarField result(mesh_.nCells() + nBodies);
     scalarField residual

@@ -99,7 +99,7 @@ void Foam::functionObjects::bodyAverages::report
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
-        exact += bodies_[bodyi].volume()/bodies_.nParts(bodyi);
+        exact += bodies_[bodyi].volume()/bodies_.loads().nParts(bodyi);
         inCells += fractions.volume(bodyi);
     }
     forAll(mesh_.V(), celli)

@@ -53,7 +53,7 @@ void Foam::functionObjects::bodyFunctionObject::resolvedOnly
     const word& what
 )
 {
-    if (bodies.nUnresolved())
+    if (bodies.list().nUnresolved())
     {
         WarningInFunction
             << "Function object '" << name << "': bodies that the mesh does not"

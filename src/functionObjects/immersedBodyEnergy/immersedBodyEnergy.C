@@ -2,6 +2,7 @@
 
 #include "immersedBodyEnergy.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bodyContacts.H"
 
 namespace Foam
 {
@@ -86,7 +87,7 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
         potential -= (r - 1)*body.volume()*(bodies.g() & body.unwrapped());
     }
 
-    const contactEnergy contact(bodies.energyOfContact());
+    const contactEnergy contact(bodies.contacts().model().energy());
 
     writeCurrentTime(os);
 

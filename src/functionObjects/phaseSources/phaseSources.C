@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "phaseSources.H"
+#include "bodyContacts.H"
 #include "bodyTractions.H"
-#include "contactModel.H"
 #include "gaussGrad.H"
 #include "surfaceInterpolate.H"
 #include "turbulentTransportModel.H"
@@ -49,12 +49,10 @@ Foam::symmTensorField Foam::phaseSources::contactMoments
     const scalar dt
 ) const
 {
+    const contactModel& contact = bodies_.contacts().model();
     symmTensorField moments(bodies_.size(), Zero);
 
-    for
-    (
-        const contactModel::pairMoment& pair : bodies_.contacts().moments(dt)
-    )
+    for (const contactModel::pairMoment& pair : contact.moments(dt))
     {
         const symmTensor all(symm(pair.contact + pair.film));
 
@@ -84,11 +82,11 @@ void Foam::phaseSources::addBodies
         const immersedBody& body = bodies_[one.body()];
         const scalar r = body.densityRatio();
         const scalar Vb = max(fractions_.volume(one.body()), VSMALL);
-        const vector f(body.fluidForce()/bodies_.nParts(one.body())/Vb);
+        const vector f(body.fluidForce()/bodies_.loads().nParts(one.body())/Vb);
         const symmTensor S(symm(tractions.surface(one.body()))/Vb);
         const symmTensor C
         (
-            contacts[one.body()]/bodies_.nParts(one.body())/Vb
+            contacts[one.body()]/bodies_.loads().nParts(one.body())/Vb
         );
 
         forAll(one.cells, i)

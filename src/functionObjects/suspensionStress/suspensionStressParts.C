@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyGaps.H"
+#include "bodyContacts.H"
 #include "bodyTractions.H"
-#include "contactModel.H"
 #include "gaussGrad.H"
 #include "meshProperties.H"
 #include "surfaceInterpolate.H"
@@ -71,11 +71,11 @@ void Foam::functionObjects::suspensionStress::updateContact()
     for
     (
         const contactModel::pairMoment& pair
-      : bodies_.contacts().moments(time_.deltaTValue())
+      : bodies_.contacts().model().moments(time_.deltaTValue())
     )
     {
         // Planes of symmetry cut off the other parts
-        const scalar part = 1/(V*bodies_.nParts(pair.a));
+        const scalar part = 1/(V*bodies_.loads().nParts(pair.a));
 
         parts_[contact] += part*pair.contact;
         parts_[film] += part*pair.film;

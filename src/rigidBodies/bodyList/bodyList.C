@@ -31,6 +31,86 @@ Foam::bodyList::bodyList(PtrList<immersedBody>&& bodies)
 {}
 
 
+bool Foam::bodyList::anyFree() const
+{
+    for (const immersedBody& body : *this)
+    {
+        if (body.isFree() && body.resolved())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+bool Foam::bodyList::atRest() const
+{
+    for (const immersedBody& body : *this)
+    {
+        if (!body.isFixed())
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+Foam::label Foam::bodyList::nAsleep() const
+{
+    label n = 0;
+
+    for (const immersedBody& body : *this)
+    {
+        n += body.asleep();
+    }
+
+    return n;
+}
+
+
+Foam::label Foam::bodyList::nUnresolved() const
+{
+    label n = 0;
+
+    for (const immersedBody& body : *this)
+    {
+        n += !body.resolved();
+    }
+
+    return n;
+}
+
+
+Foam::scalar Foam::bodyList::maxSpeed() const
+{
+    scalar speed = 0;
+
+    for (const immersedBody& body : *this)
+    {
+        speed = max(speed, body.maxSpeed());
+    }
+
+    return speed;
+}
+
+
+Foam::scalar Foam::bodyList::contactSpeed() const
+{
+    scalar speed = 0;
+
+    for (const immersedBody& body : *this)
+    {
+        speed = max(speed, body.contactSpeed());
+    }
+
+    return speed;
+}
+
+
 void Foam::bodyList::append(autoPtr<immersedBody>&& body)
 {
     PtrList<immersedBody>::append(std::move(body));

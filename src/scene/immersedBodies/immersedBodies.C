@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "checkKeywords.H"
+#include "bodyPlacement.H"
+#include "bodyProperties.H"
+#include "bodyResolution.H"
+#include "bodyTraffic.H"
 #include "comovingDerivative.H"
-#include "contactModel.H"
 #include "meshProperties.H"
-#include "meshWalls.H"
-#include "symmetryPlanes.H"
-#include "unresolvedCoupling.H"
+#include "unresolvedBodies.H"
 
 namespace Foam
 {
@@ -82,32 +83,23 @@ Foam::immersedBodies::immersedBodies
         )
     ),
     mesh_(mesh),
-    dict_(checked(dict)),
+    dict_(bodyProperties::checked(dict)),
     space_(meshProperties::space(mesh)),
     periodicity_(meshProperties::periods(mesh)),
-    rho_(readRho(dict, mesh)),
-    g_(readGravity(mesh)),
-    bodies_(placeBodies(dict, space_, mesh.time(), rho_)),
-    passage_(new bodyPassage(dict_, space_, mesh, rho_, bodies_)),
+    fluid_(dict, mesh),
+    bodies_(placeBodies(dict, space_, mesh.time(), fluid_.rho())),
+    passage_(new bodyPassage(dict_, space_, mesh, fluid_.rho(), bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
     h_(bodies_),
     oldH_(bodies_),
-    lubrication_
+    contacts_
     (
-        lubricationModel::New
+        new bodyContacts
         (
-            dict.subOrEmptyDict("lubrication"), space_, readNu(mesh)
+            dict, mesh, space_, periodicity_, fluid_, window_.comoving()
         )
     ),
-    contact_
-    (
-        contactModel::New
-        (
-            dict.subOrEmptyDict("contact"), rho_, lubrication_()
-        )
-    ),
-    sleep_(dict, g_, contact_->active(), window_.comoving()),
     crowd_(bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
@@ -122,54 +114,51 @@ Foam::immersedBodies::immersedBodies
     ),
     pressure_(bodies_, region_, periodicity_),
     frame_(new comovingDerivative(mesh, region_.neighbours())),
-    proximity_(mesh, periodicity_, contact_()),
-    nParts_(bodies_, 1),
-    loads_(bodies_),
+    loads_(mesh, dict.subOrEmptyDict("bodies"), bodies_),
+    unresolved_
+    (
+        new unresolvedBodies
+        (
+            dict.subOrEmptyDict("coupling"),
+            space_,
+            region_.search(),
+            periodicity_,
+            window_,
+            fluid_.g(),
+            bodies_,
+            h_
+        )
+    ),
+    resolution_
+    (
+        new bodyResolution(bodies_, region_, unresolved_(), loads_, h_)
+    ),
+    traffic_
+    (
+        new bodyTraffic
+        (
+            bodies_,
+            region_,
+            window_,
+            loads_,
+            resolution_(),
+            h_,
+            passage_()
+        )
+    ),
     steady_(dict)
 {
-    const dictionary& coupling = dict.subOrEmptyDict("coupling");
-
-    if (contact_->active())
-    {
-        walls_.reset(new meshWalls(mesh, space_));
-        contact_->readMaterials(dict_, walls_());
-    }
+    const dictionary& bodies = dict_.subOrEmptyDict("bodies");
 
     if (steady_.active())
     {
         checkSteady();
     }
 
-    if (!restarted_)
-    {
-        wrapPositions();
-    }
-
-    const symmetryPlanes planes(mesh);
-
-    forAll(bodies_, bodyi)
-    {
-        nParts_[bodyi] =
-            planes.bind(bodies_[bodyi], dict_.subOrEmptyDict("bodies"));
-    }
-    unresolved_.reset
-    (
-        new unresolvedCoupling
-        (
-            coupling, space_, region_.search(), periodicity_, bodies_
-        )
-    );
-    placeInMesh();
+    resolution_->start(restarted_);
     checkInside();
-    h_.checkResolution(bodies_, dict_.subOrEmptyDict("bodies"));
-
-    if (proximity_.check(bodies_, region_, h_))
-    {
-        FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
-            << "'bodies' must not overlap each other or a wall"
-            << (contact_->active() ? " by that much: " : ": ")
-            << proximity_.overlaps().c_str() << nl << exit(FatalIOError);
-    }
+    h_.checkResolution(bodies_, bodies);
+    checkGaps();
 }
 
 
@@ -177,74 +166,27 @@ Foam::immersedBodies::~immersedBodies()
 {}
 
 
-bool Foam::immersedBodies::anyFree() const
+const Foam::UList<Foam::bodyDeparture>& Foam::immersedBodies::departed() const
 {
-    for (const immersedBody& body : bodies_)
-    {
-        if (body.isFree() && body.resolved())
-        {
-            return true;
-        }
-    }
-
-    return false;
+    return passage_->departed();
 }
 
 
-bool Foam::immersedBodies::atRest() const
+const Foam::bodyContacts& Foam::immersedBodies::contacts() const
 {
-    for (const immersedBody& body : bodies_)
-    {
-        if (!body.isFixed())
-        {
-            return false;
-        }
-    }
-
-    return true;
+    return contacts_();
 }
 
 
-Foam::label Foam::immersedBodies::nAsleep() const
+Foam::comovingDerivative& Foam::immersedBodies::frame()
 {
-    label n = 0;
-
-    for (const immersedBody& body : bodies_)
-    {
-        n += body.asleep();
-    }
-
-    return n;
+    return frame_();
 }
 
 
-Foam::scalar Foam::immersedBodies::maxSpeed() const
+Foam::unresolvedBodies& Foam::immersedBodies::unresolved()
 {
-    scalar speed = 0;
-
-    for (const immersedBody& body : bodies_)
-    {
-        speed = max(speed, body.maxSpeed());
-    }
-
-    return speed;
-}
-
-
-Foam::scalar Foam::immersedBodies::slip() const
-{
-    scalar sum = 0, volume = 0;
-
-    forAll(loads_, bodyi)
-    {
-        if (bodies_[bodyi].resolved())
-        {
-            sum += loads_[bodyi].slip;
-            volume += loads_[bodyi].volume;
-        }
-    }
-
-    return Foam::sqrt(sum/max(volume, VSMALL));
+    return unresolved_();
 }
 
 

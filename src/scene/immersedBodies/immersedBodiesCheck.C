@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyContacts.H"
 #include "bodyPassage.H"
 #include "compat.H"
 
@@ -69,5 +70,18 @@ void Foam::immersedBodies::checkSteady() const
                 << " 'window { type comoving; ... }'" << nl
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::immersedBodies::checkGaps()
+{
+    if (contacts_->overlap(bodies_, region_, h_))
+    {
+        FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
+            << "'bodies' must not overlap each other or a wall"
+            << (contacts_->active() ? " by that much: " : ": ")
+            << contacts_->proximity().overlaps().c_str() << nl
+            << exit(FatalIOError);
     }
 }

@@ -1,98 +1,169 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checkKeywords.H"
 #include "immersedBodies.H"
-#include "meshProperties.H"
-#include "uniformDimensionedFields.H"
+#include "ambientVelocities.H"
+#include "comovingDerivative.H"
+#include "freeVelocities.H"
+#include "profiling.H"
+#include "unresolvedBodies.H"
 
-namespace
+void Foam::immersedBodies::setAmbient(const volVectorField& U)
 {
-
-//- transportProperties; empty if there is no such file
-Foam::dictionary readTransport(const Foam::fvMesh& mesh)
-{
-    const Foam::IOdictionary transport
-    (
-        Foam::IOobject
-        (
-            "transportProperties",
-            mesh.time().constant(),
-            mesh,
-            Foam::IOobject::READ_IF_PRESENT,
-            Foam::IOobject::NO_WRITE,
-            false
-        )
-    );
-
-    return Foam::dictionary(transport);
+    ambientVelocities::set(U, region_.search(), periodicity_, bodies_);
+    window_.follow(bodies_);
 }
 
-} // End anonymous namespace
+
+void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
+{
+    const bodyInterior& interior = region_.interior();
+
+    interior.setRigidMotion(bodies_, U.primitiveFieldRef());
+
+    if (U.nOldTimes())
+    {
+        interior.setRigidMotion(bodies_, U.oldTime().primitiveFieldRef());
+    }
+    U.correctBoundaryConditions();
+}
 
 
-Foam::scalar Foam::immersedBodies::readRho
+Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
+{
+    tmp<volScalarField> tfraction(region_.interior().fraction());
+
+    unresolved_->coupling().addFraction(tfraction.ref().primitiveFieldRef());
+    tfraction.ref().correctBoundaryConditions();
+
+    return tfraction;
+}
+
+
+void Foam::immersedBodies::updateFrame
 (
-    const dictionary& dict,
-    const fvMesh& mesh
+    const ddtCoefficients& ddt,
+    const volScalarField& nu
 )
 {
-    if (dict.found("rho"))
-    {
-        return keywords::positive(dict, "rho");
-    }
+    addProfiling(frame, "immersedBodies::updateFrame");
 
-    const dictionary transport(readTransport(mesh));
+    const scalarField inBands(nu.primitiveField(), region_.cells());
 
-    return transport.found("rho")
-      ? dimensionedScalar("rho", dimDensity, transport).value()
-      : -1;
+    frame_->update
+    (
+        region_.regions(),
+        bodies_,
+        region_.search(),
+        h_,
+        region_.resistance().bandWidth(),
+        periodicity_,
+        gMin(inBands),
+        ddt
+    );
 }
 
 
-Foam::scalar Foam::immersedBodies::readNu(const fvMesh& mesh)
+void Foam::immersedBodies::updateResistance
+(
+    const ddtCoefficients& ddt,
+    const scalarField& A0,
+    const scalarField& nu,
+    const bool again
+)
 {
-    const dictionary transport(readTransport(mesh));
-    const word model
-    (
-        transport.lookupOrDefault<word>("transportModel", word::null)
-    );
+    addProfiling(resistance, "immersedBodies::updateResistance");
 
-    return model == "Newtonian" && transport.found("nu")
-      ? dimensionedScalar("nu", dimViscosity, transport).value()
-      : -1;
+    region_.updateResistance(bodies_, A0, nu, again);
+    region_.updateVelocity(bodies_, ddt);
+
+    forAll(bodies_, bodyi)
+    {
+        if (crowd_.active() && region_.selected(bodyi))
+        {
+            crowd_.give(bodyi);
+        }
+    }
 }
 
 
-Foam::vector Foam::immersedBodies::readGravity(const fvMesh& mesh)
+Foam::scalar Foam::immersedBodies::correct
+(
+    const ddtCoefficients& ddt,
+    const fvVectorMatrix& E0,
+    const volScalarField& A0,
+    const volVectorField& U,
+    const vectorField& gradP,
+    const vectorField& dU,
+    const bool response,
+    const bool addedMass
+)
 {
-    const uniformDimensionedVectorField g
-    (
-        IOobject
-        (
-            "g",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        ),
-        dimensionedVector(dimAcceleration, Zero)
-    );
+    addProfiling(correct, "immersedBodies::correct");
 
-    const vector out
-    (
-        g.value()
-      - cmptMultiply(g.value(), meshProperties::space(mesh).translation())
-    );
-
-    if (g.dimensions() != dimAcceleration || magSqr(out) > 0)
+    if (bodies_.nResolved())
     {
-        FatalErrorInFunction
-            << "'value " << g.value() << "', 'dimensions " << g.dimensions()
-            << "' in " << g.objectPath() << ": allowed are dimensions "
-            << dimAcceleration << " and vectors in the plane of the mesh" << nl
-            << exit(FatalError);
+        loads_.measure(ddt, E0, A0, U, gradP, dU, response, region_);
     }
 
-    return g.value();
+    const scalar added = !addedMass ? 0 : space_.twoD() ? 1 : 0.5;
+    scalar most = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        if (!body.resolved() || !region_.selected(bodyi))
+        {
+            // unresolvedBodies has moved it on, or it stays as it is
+            continue;
+        }
+
+        // One that is all but outside the mesh has nothing to go by
+        const scalar change = !body.isFree() || loads_.inMesh(bodyi)
+          ? body.correctVelocity(loads_[bodyi], ddt, g(), added)
+          : 0;
+
+        crowd_.note(bodyi, change);
+        most = max(most, change);
+    }
+
+    window_.follow(bodies_);
+
+    return most;
+}
+
+
+Foam::scalar Foam::immersedBodies::correctCrowd
+(
+    const scalarField& p,
+    const scalar dt
+)
+{
+    const vectorField gradP(pressure_.gradients(p));
+    scalar most = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        if (region_.selected(bodyi))
+        {
+            pressure_.set(bodyi, gradP[bodyi]);
+        }
+        else if (bodies_[bodyi].resolved())
+        {
+            const scalar change =
+                pressure_.speedChange(bodyi, gradP[bodyi], dt);
+
+            crowd_.note(bodyi, change);
+            most = max(most, change);
+        }
+    }
+
+    return most;
+}
+
+
+void Foam::immersedBodies::setVelocities(const UList<vector>& velocities)
+{
+    freeVelocities::set(velocities, bodies_);
+    window_.follow(bodies_);
 }

@@ -1,74 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "checkKeywords.H"
-#include "contactModel.H"
-#include "outerIteration.H"
 #include "uniformState.H"
-#include "unresolvedCoupling.H"
-
-Foam::IOdictionary Foam::immersedBodies::readProperties(const fvMesh& mesh)
-{
-    return keywords::readIfThere
-    (
-        IOobject
-        (
-            "immersedBodyProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
-bool Foam::immersedBodies::any(const dictionary& properties)
-{
-    checked(properties);
-
-    return properties.subOrEmptyDict("bodies").size()
-     || properties.subOrEmptyDict("injection").size();
-}
-
-
-const Foam::dictionary& Foam::immersedBodies::checked(const dictionary& dict)
-{
-    keywords::check
-    (
-        dict,
-        {
-            "rho", "resistance", "coupling", "contact",
-            "lubrication", "window", "steady", "sleep", "leaving",
-            "injection", "bodies", "grains", "turbulentWalls"
-        }
-    );
-    for (const entry& e : dict)
-    {
-        if (!e.isDict() && e.keyword() != "rho")
-        {
-            FatalIOErrorInFunction(dict)
-                << "'" << e.keyword() << "' is not a sub-dictionary, as '"
-                << e.keyword() << " { "
-                << (
-                       e.keyword() == "bodies" || e.keyword() == "injection"
-                     ? "name { ... }"
-                     : "type ...;"
-                   )
-                << " }' is; allowed without braces is 'rho' only" << nl
-                << exit(FatalIOError);
-        }
-    }
-
-    wordList ofCoupling(unresolvedCoupling::keywords);
-    ofCoupling.append(outerIteration::keywords);
-    keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
-
-    return dict;
-}
-
+#include "unresolvedBodies.H"
 
 bool Foam::immersedBodies::readState()
 {
@@ -84,6 +20,7 @@ bool Foam::immersedBodies::readState()
                 << ": they begin at the positions and velocities in "
                 << dict_.name() << ", in the fluid of this time" << nl << endl;
         }
+        wrapPositions();
 
         return false;
     }
@@ -92,8 +29,7 @@ bool Foam::immersedBodies::readState()
     window_.readState(states.subDict("window"));
 
     passage_->readState(states, bodies_);
-    contact_->readState(states);
-    sleep_.readState(states, bodies_);
+    contacts_->readState(states, bodies_);
     crowd_.readState(states);
 
     const scalarList h
@@ -154,45 +90,14 @@ void Foam::immersedBodies::report(Ostream& os) const
         os  << nl << "    cells per width: " << fewest << " to " << most;
     }
 
-    if (nUnresolved())
+    if (bodies_.nUnresolved())
     {
         os  << nl << "    ";
-        unresolved_->report(os);
+        unresolved_->coupling().report(os);
     }
     os  << nl;
 
-    if (contact_->active())
-    {
-        os  << "    contact: ";
-        contact_->report(os);
-        os  << nl;
-    }
-
-    if (lubrication_->active())
-    {
-        label nOthers = 0;
-
-        for (const immersedBody& body : bodies_)
-        {
-            nOthers += !body.shape().round();
-        }
-
-        os  << "    lubrication: ";
-        lubrication_->report(os);
-
-        if (nOthers)
-        {
-            os  << "; none for " << nOthers << " that are not round";
-        }
-        os  << nl;
-    }
-
-    if (sleep_.active())
-    {
-        os  << "    sleep: ";
-        sleep_.report(os);
-        os  << nl;
-    }
+    contacts_->report(bodies_, os);
 
     if (steady_.active())
     {
@@ -210,8 +115,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     os.writeEntry("time", clock_);
     window_.writeState(os);
     passage_->writeState(os);
-    contact_->writeState(os);
-    sleep_.writeState(bodies_, os);
+    contacts_->writeState(bodies_, os);
     crowd_.writeState(os);
 
     // As text, whatever the format

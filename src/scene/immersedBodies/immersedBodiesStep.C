@@ -1,13 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "comovingDerivative.H"
+#include "bodyResolution.H"
+#include "bodyTraffic.H"
 #include "compat.H"
-#include "contactModel.H"
 #include "meshProperties.H"
 #include "profiling.H"
-#include "unresolvedCoupling.H"
+#include "unresolvedBodies.H"
+
+namespace
+{
+
+//- Give all processors the states of the master: rounding on unlike machines
+//  must not let the copies drift apart
+void shareStates(Foam::bodyList& bodies)
+{
+    if (!Foam::Pstream::parRun())
+    {
+        return;
+    }
+
+    const Foam::label n = 5;
+    Foam::vectorField packed(n*bodies.size());
+
+    forAll(bodies, bodyi)
+    {
+        const Foam::bodyState& state = bodies[bodyi].state();
+        Foam::vector* to = &packed[n*bodyi];
+
+        to[0] = state.position;
+        to[1] = state.orientation.v();
+        to[2] = Foam::vector(state.orientation.w(), 0, 0);
+        to[3] = state.U;
+        to[4] = state.omega;
+    }
+
+    Foam::compat::broadcast(packed);
+
+    forAll(bodies, bodyi)
+    {
+        Foam::bodyState state;
+        const Foam::vector* from = &packed[n*bodyi];
+
+        state.position = from[0];
+        state.orientation = Foam::quaternion(from[2].x(), from[1]);
+        state.U = from[3];
+        state.omega = from[4];
+
+        bodies[bodyi].setState(state);
+    }
+}
+
+} // End anonymous namespace
+
 
 Foam::scalar Foam::immersedBodies::stepRatio() const
 {
@@ -62,7 +109,7 @@ void Foam::immersedBodies::predictPoses()
         );
     }
 
-    addContact();
+    contacts_->advance(bodies_, h_, dt, window_.meanVelocity());
 }
 
 
@@ -80,7 +127,7 @@ void Foam::immersedBodies::predict(const bool again, const scalar enough)
         region_.selectAll();
     }
     region_.updateGeometry(bodies_, false, again);
-    unresolved_->update(bodies_, h_);
+    unresolved_->update();
 }
 
 
@@ -107,123 +154,26 @@ void Foam::immersedBodies::wrapPositions()
 }
 
 
-void Foam::immersedBodies::updateResistance
-(
-    const ddtCoefficients& ddt,
-    const scalarField& A0,
-    const scalarField& nu,
-    const bool again
-)
-{
-    addProfiling(resistance, "immersedBodies::updateResistance");
-
-    region_.updateResistance(bodies_, A0, nu, again);
-    region_.updateVelocity(bodies_, ddt);
-
-    forAll(bodies_, bodyi)
-    {
-        if (crowd_.active() && region_.selected(bodyi))
-        {
-            crowd_.give(bodyi);
-        }
-    }
-}
-
-
-void Foam::immersedBodies::updateFrame
-(
-    const ddtCoefficients& ddt,
-    const volScalarField& nu
-)
-{
-    addProfiling(frame, "immersedBodies::updateFrame");
-
-    const scalarField inBands(nu.primitiveField(), region_.cells());
-
-    frame_->update
-    (
-        region_.regions(),
-        bodies_,
-        region_.search(),
-        h_,
-        region_.resistance().bandWidth(),
-        periodicity_,
-        gMin(inBands),
-        ddt
-    );
-}
-
-
-Foam::comovingDerivative& Foam::immersedBodies::frame()
-{
-    return frame_();
-}
-
-
-void Foam::immersedBodies::shareState()
-{
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-
-    const label n = 5;
-    vectorField packed(n*bodies_.size());
-
-    forAll(bodies_, bodyi)
-    {
-        const bodyState& state = bodies_[bodyi].state();
-        vector* to = &packed[n*bodyi];
-
-        to[0] = state.position;
-        to[1] = state.orientation.v();
-        to[2] = vector(state.orientation.w(), 0, 0);
-        to[3] = state.U;
-        to[4] = state.omega;
-    }
-
-    compat::broadcast(packed);
-
-    forAll(bodies_, bodyi)
-    {
-        bodyState state;
-        const vector* from = &packed[n*bodyi];
-
-        state.position = from[0];
-        state.orientation = quaternion(from[2].x(), from[1]);
-        state.U = from[3];
-        state.omega = from[4];
-
-        bodies_[bodyi].setState(state);
-    }
-}
-
-
 bool Foam::immersedBodies::endStep()
 {
     addProfiling(endStep, "immersedBodies::endStep");
 
     // The poses that go with the last correction of the velocities
     predictPoses();
-    shareState();
-    contact_->endStep();
+    shareStates(bodies_);
+    contacts_->endStep();
 
     for (immersedBody& body : bodies_)
     {
         body.endStep(stepRatio(), crowd_.active());
     }
 
-    if (sleep_.active())
-    {
-        sleep_.update
-        (
-            bodies_, periodicity_, walls_(), mesh_.time().deltaTValue()
-        );
-    }
+    contacts_->updateSleep(bodies_, mesh_.time().deltaTValue());
+    loads_.noteUnresolved(unresolved_->coupling());
 
-    bool good = leave();
+    bool good = traffic_->leave();
 
-    if (proximity_.check(bodies_, region_, h_))
+    if (contacts_->overlap(bodies_, region_, h_))
     {
         good = false;
     }
@@ -232,6 +182,14 @@ bool Foam::immersedBodies::endStep()
     wrapPositions();
 
     return good;
+}
+
+
+void Foam::immersedBodies::enter(volVectorField& U)
+{
+    // A body that is due at the end of the step must not miss it by rounding
+    traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U);
+    resolution_->select(U);
 }
 
 

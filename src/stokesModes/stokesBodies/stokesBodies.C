@@ -2,8 +2,8 @@
 
 #include "stokesBodies.H"
 #include "bodyPlacement.H"
+#include "bodyProperties.H"
 #include "compat.H"
-#include "immersedBodies.H"
 #include "meshProperties.H"
 #include "symmetryPlanes.H"
 #include "Time.H"
@@ -15,7 +15,7 @@ Foam::PtrList<Foam::immersedBody> Foam::stokesBodies::place
     const fvMesh& mesh
 )
 {
-    if (!immersedBodies::any(dict))
+    if (!bodyProperties::any(dict))
     {
         FatalIOErrorInFunction(dict)
             << "'bodies' has no body, and the flows looked for are those around"
@@ -61,7 +61,7 @@ Foam::PtrList<Foam::immersedBody> Foam::stokesBodies::place
 Foam::stokesBodies::stokesBodies(const fvMesh& mesh)
 :
     mesh_(mesh),
-    dict_(immersedBodies::readProperties(mesh)),
+    dict_(bodyProperties::read(mesh)),
     space_(meshProperties::space(mesh)),
     periodicity_(meshProperties::periods(mesh)),
     bodies_(place(dict_, space_, mesh)),

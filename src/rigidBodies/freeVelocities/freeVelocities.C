@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "freeVelocities.H"
+
+namespace
+{
+
+//- Call f with each free resolved body
+template<class List, class Function>
+void forFree(List& bodies, const Function& f)
+{
+    for (auto& body : bodies)
+    {
+        if (body.isFree() && body.resolved())
+        {
+            f(body);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::vectorField Foam::freeVelocities::get
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    DynamicList<vector> velocities(2*bodies.size());
+
+    forFree(bodies, [&](const immersedBody& body)
+    {
+        const Pair<vector> both(body.velocitiesWithoutContact());
+
+        velocities.append(both.first());
+        velocities.append(both.second());
+    });
+
+    return vectorField(std::move(velocities));
+}
+
+
+void Foam::freeVelocities::set
+(
+    const UList<vector>& velocities,
+    PtrList<immersedBody>& bodies
+)
+{
+    label i = 0;
+
+    forFree(bodies, [&](immersedBody& body)
+    {
+        body.setVelocitiesWithoutContact
+        (
+            Pair<vector>(velocities[i], velocities[i + 1])
+        );
+        i += 2;
+    });
+}
+
+
+Foam::vectorField Foam::freeVelocities::weights
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    DynamicList<vector> weights(2*bodies.size());
+
+    forFree(bodies, [&](const immersedBody& body)
+    {
+        const tensor I(body.inertia(body.state()));
+
+        weights.append(Foam::sqrt(body.volume())*vector::one);
+        weights.append(vector(sqrt(I.xx()), sqrt(I.yy()), sqrt(I.zz())));
+    });
+
+    return vectorField(std::move(weights));
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyContacts.H"
+#include "meshWalls.H"
+#include "profiling.H"
+
+Foam::bodyContacts::bodyContacts
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const geometricSpace& space,
+    const periodicity& periods,
+    const fluidConstants& fluid,
+    const bool window
+)
+:
+    periodicity_(periods),
+    // Of a sphere and of a disc that leave a wall, or one like them, in
+    // potential flow: 3/2 zeta(3) - 1 and pi^2/3 - 1
+    addedMass_(space.twoD() ? 2.290 : 0.803),
+    lubrication_
+    (
+        lubricationModel::New
+        (
+            dict.subOrEmptyDict("lubrication"), space, fluid.nu()
+        )
+    ),
+    model_
+    (
+        contactModel::New
+        (
+            dict.subOrEmptyDict("contact"), fluid.rho(), lubrication_()
+        )
+    ),
+    sleep_(dict, fluid.g(), model_->active(), window),
+    proximity_(mesh, periods, model_())
+{
+    if (model_->active())
+    {
+        walls_.reset(new meshWalls(mesh, space));
+        model_->readMaterials(dict, walls_());
+    }
+}
+
+
+void Foam::bodyContacts::advance
+(
+    PtrList<immersedBody>& bodies,
+    const UList<scalar>& h,
+    const scalar dt,
+    const vector& meshU
+)
+{
+    if (!model_->active())
+    {
+        return;
+    }
+
+    addProfiling(contact, "immersedBodies::contact");
+
+    for (immersedBody& body : bodies)
+    {
+        body.setAddedMass(addedMass_);
+    }
+
+    model_->advance(bodies, h, walls_(), periodicity_, dt, meshU);
+}
+
+
+void Foam::bodyContacts::updateSleep
+(
+    PtrList<immersedBody>& bodies,
+    const scalar dt
+)
+{
+    if (sleep_.active())
+    {
+        sleep_.update(bodies, periodicity_, walls_(), dt);
+    }
+}
+
+
+void Foam::bodyContacts::readState
+(
+    const dictionary& dict,
+    PtrList<immersedBody>& bodies
+)
+{
+    model_->readState(dict);
+    sleep_.readState(dict, bodies);
+}
+
+
+void Foam::bodyContacts::writeState
+(
+    const PtrList<immersedBody>& bodies,
+    Ostream& os
+) const
+{
+    model_->writeState(os);
+    sleep_.writeState(bodies, os);
+}
+
+
+void Foam::bodyContacts::report
+(
+    const PtrList<immersedBody>& bodies,
+    Ostream& os
+) const
+{
+    if (model_->active())
+    {
+        os  << "    contact: ";
+        model_->report(os);
+        os  << nl;
+    }
+
+    if (lubrication_->active())
+    {
+        label nOthers = 0;
+
+        for (const immersedBody& body : bodies)
+        {
+            nOthers += !body.shape().round();
+        }
+
+        os  << "    lubrication: ";
+        lubrication_->report(os);
+
+        if (nOthers)
+        {
+            os  << "; none for " << nOthers << " that are not round";
+        }
+        os  << nl;
+    }
+
+    if (sleep_.active())
+    {
+        os  << "    sleep: ";
+        sleep_.report(os);
+        os  << nl;
+    }
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyResolution.H"
+#include "compat.H"
+#include "profiling.H"
+
+Foam::bodyResolution::bodyResolution
+(
+    bodyList& bodies,
+    immersedRegion& region,
+    unresolvedBodies& unresolved,
+    const bodyLoads& loads,
+    bodyCellSizes& h
+)
+:
+    bodies_(bodies),
+    region_(region),
+    unresolved_(unresolved),
+    loads_(loads),
+    h_(h)
+{}
+
+
+const Foam::DynamicList<Foam::label>& Foam::bodyResolution::cellsBeside
+(
+    const label bodyi
+) const
+{
+    return bodies_[bodyi].resolved()
+      ? region_.regions()[bodyi].cells
+      : coupling().cells(bodyi);
+}
+
+
+void Foam::bodyResolution::findAtCentres()
+{
+    forAll(h_, bodyi)
+    {
+        h_[bodyi] = coupling().cellSize(bodies_[bodyi].state().position);
+    }
+    compat::allReduce(h_, maxEqOp<scalar>());
+}
+
+
+void Foam::bodyResolution::findAtSurfaces()
+{
+    const scalarField atCentre(h_);
+
+    h_.measure(bodies_, region_);
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        if (!coupling().resolves(body, h_[bodyi]) && body.resolved())
+        {
+            body.setResolved(false);
+            h_[bodyi] = atCentre[bodyi];
+        }
+    }
+}
+
+
+void Foam::bodyResolution::start(const bool restarted)
+{
+    // Those of a previous run stay, or it could not go on exactly
+    const bool known = bodies_.empty() || min(h_) > 0;
+
+    if (!known)
+    {
+        findAtCentres();
+    }
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        // What the mesh decided on in the previous run stays
+        if (!restarted || coupling().type(body) != "auto")
+        {
+            body.setResolved(coupling().resolves(body, h_[bodyi]));
+        }
+    }
+
+    region_.updateGeometry(bodies_);
+
+    if (!known)
+    {
+        findAtSurfaces();
+        region_.updateGeometry(bodies_);
+    }
+
+    unresolved_.update();
+}
+
+
+void Foam::bodyResolution::replace()
+{
+    region_.updateGeometry(bodies_, true);
+    unresolved_.update();
+}
+
+
+bool Foam::bodyResolution::anyAuto() const
+{
+    for (const immersedBody& body : bodies_)
+    {
+        if (coupling().type(body) == "auto")
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+Foam::scalarField Foam::bodyResolution::localCellSizes() const
+{
+    scalarField sizes(bodies_.size(), -1);
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        if (coupling().type(body) != "auto")
+        {
+            continue;
+        }
+
+        if (!body.resolved())
+        {
+            // Not for most of them, far from being resolved
+            sizes[bodyi] = coupling().resolves(body, h_[bodyi])
+              ? coupling().largestCell(bodyi, body.shape().boundingRadius())
+              : h_[bodyi];
+        }
+        else if (loads_.inMesh(bodyi))
+        {
+            sizes[bodyi] = bodyCellSizes::largest
+            (
+                region_.regions()[bodyi], region_.search()
+            ).first();
+        }
+    }
+
+    compat::allReduce(sizes, maxEqOp<scalar>());
+
+    return sizes;
+}
+
+
+void Foam::bodyResolution::select(volVectorField& U)
+{
+    if (!anyAuto())
+    {
+        return;
+    }
+
+    addProfiling(select, "immersedBodies::selectCoupling");
+
+    const scalarField sizes(localCellSizes());
+    DynamicList<label> resolved, unresolved;
+
+    forAll(bodies_, bodyi)
+    {
+        immersedBody& body = bodies_[bodyi];
+
+        // Not while it enters or leaves, where a part has no cells
+        if (sizes[bodyi] <= 0 || body.passing().size())
+        {
+            continue;
+        }
+
+        h_[bodyi] = sizes[bodyi];
+
+        const bool resolve = coupling().resolves(body, h_[bodyi]);
+
+        if (resolve != body.resolved())
+        {
+            body.setResolved(resolve);
+            (resolve ? resolved : unresolved).append(bodyi);
+        }
+    }
+
+    if (resolved.size() || unresolved.size())
+    {
+        Info<< "Cells per width: " << resolved.size()
+            << " bodies resolved from now on, " << unresolved.size()
+            << " no longer" << endl;
+
+        replace();
+        fill(resolved, U);
+    }
+}
+
+
+void Foam::bodyResolution::fill
+(
+    const UList<label>& resolved,
+    volVectorField& U
+) const
+{
+    for (const bodyRegion& region : region_.regions())
+    {
+        if (resolved.found(region.body()))
+        {
+            region_.interior().restartFluid(bodies_[region.body()], region, U);
+        }
+    }
+    U.correctBoundaryConditions();
+}
+
+
+Foam::scalar Foam::bodyResolution::resolve
+(
+    immersedBody& body,
+    const bodyRegion& region
+) const
+{
+    const Pair<scalar> local(bodyCellSizes::largest(region, region_.search()));
+
+    // The last is that of the cell with the centre
+    scalarField largest(3);
+    largest[0] = local.first();
+    largest[1] = local.second();
+    largest[2] = coupling().cellSize(body.state().position);
+    compat::allReduce(largest, maxEqOp<scalar>());
+
+    if (largest[2] == 0)
+    {
+        return 0;
+    }
+
+    const scalar h = bodyCellSizes::at(body, {largest[0], largest[1]});
+
+    body.setResolved(coupling().resolves(body, max(h, largest[2])));
+
+    return body.resolved() ? h : largest[2];
+}
