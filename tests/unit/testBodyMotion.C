@@ -192,9 +192,9 @@ TEST_CASE("A time step that is undone leaves the load of the last",
     body.correctVelocity(last, ddt, vector::zero);
     body.beginStep();
     body.correctVelocity(failed, ddt, vector::zero);
-    CHECK(difference(body.load().force, failed.force) == 0);
+    CHECK(difference(body.load().linear, failed.force) == 0);
 
     body.undoStep();
-    CHECK(difference(body.load().force, last.force) == 0);
-    CHECK(difference(body.load().torque, last.torque) == 0);
+    CHECK(difference(body.load().linear, last.force) == 0);
+    CHECK(difference(body.load().angular, last.torque) == 0);
 }

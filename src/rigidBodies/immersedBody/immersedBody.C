@@ -36,6 +36,8 @@ Foam::immersedBody::immersedBody
     wrapped_(Zero),
     addedMass_(0),
     contactForce_{Zero, Zero},
+    load_{Zero, Zero},
+    oldLoad_{Zero, Zero},
     ddtMomentum_{Zero, Zero}
 {
     state_.position = space.inPlane(position);

@@ -59,12 +59,12 @@ Foam::scalarSquareMatrix Foam::immersedBody::jacobian
 
 Foam::scalar Foam::immersedBody::heldChange
 (
-    const bodyLoad& before,
+    const rigidMomentum& change,
     const scalar ddtCoeff
 ) const
 {
-    vector force(load_.force - before.force);
-    vector torque(load_.torque - before.torque);
+    vector force(change.linear);
+    vector torque(change.angular);
 
     // None where it is at rest
     const bool moves = state_.U != vector::zero || old_.U != vector::zero;
@@ -124,13 +124,14 @@ Foam::rigidMomentum Foam::immersedBody::changeCoupled
 Foam::rigidMomentum Foam::immersedBody::changeApart
 (
     const rigidMomentum& residual,
+    const bodyLoad& load,
     const scalar ddtCoeff
 ) const
 {
     const scalar r = densityRatio_ - 1;
     tensor J
     (
-        tr(load_.aRowCol)*tensor::I - load_.aRowCol.T()
+        tr(load.aRowCol)*tensor::I - load.aRowCol.T()
       + ddtCoeff*r*inertia(state_)
     );
     vector torque(residual.angular);
@@ -152,7 +153,7 @@ Foam::rigidMomentum Foam::immersedBody::changeApart
     {
         cmptMultiply
         (
-            freeU_, residual.linear/-(load_.a + ddtCoeff*r*volume())
+            freeU_, residual.linear/-(load.a + ddtCoeff*r*volume())
         ),
        -(inv(J) & torque)
     };
@@ -161,27 +162,27 @@ Foam::rigidMomentum Foam::immersedBody::changeApart
 
 Foam::scalar Foam::immersedBody::correctVelocity
 (
-    const bodyLoad& load,
+    const bodyLoad& measured,
     const ddtCoefficients& ddt,
     const vector& g,
     const scalar addedMass
 )
 {
-    const bodyLoad before(load_);
-
-    load_ = load;
+    const rigidMomentum before(load_);
+    bodyLoad load(measured);
 
     for (direction k = 0; k < 3; ++k)
     {
         if (mirrored_[k] > 0.5)
         {
-            load_.symmetrise(k);
+            load.symmetrise(k);
         }
     }
 
+    load_ = rigidMomentum{load.force, load.torque};
     ddtMomentum_ = ddtMomentum(ddt);
 
-    const scalar held = heldChange(before, ddt.c);
+    const scalar held = heldChange(load_ - before, ddt.c);
 
     if (!isFree())
     {
@@ -193,8 +194,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
         (densityRatio_ - 1)*ddtMomentum_
       + rigidMomentum
         {
-            load_.force - (densityRatio_ - 1)*volume()*g,
-            load_.torque
+            load.force - (densityRatio_ - 1)*volume()*g,
+            load.torque
         }
       - contactTerm(ddt)
     );
@@ -203,8 +204,8 @@ Foam::scalar Foam::immersedBody::correctVelocity
     const bool apart = !resolved_ && !restraints_;
     const rigidMomentum change
     (
-        apart ? changeApart(residual, ddt.c)
-      : changeCoupled(residual, jacobian(load_, ddt.c, addedMass))
+        apart ? changeApart(residual, load, ddt.c)
+      : changeCoupled(residual, jacobian(load, ddt.c, addedMass))
     );
     const vector& dU = change.linear;
     const vector& dOmega = change.angular;

@@ -262,16 +262,15 @@ void Foam::immersedBody::readState(const dictionary& dict)
 
     number_ = dict.lookupOrDefault("number", number_);
     passing_ = dict.lookupOrDefault("passing", word::null);
-    origin_ = dict.subOrEmptyDict("origin");
     if (dict.lookupOrDefault("held", false))
     {
         hold();
     }
 
     resolved_ = !dict.found("load");
-    load_.force = dict.lookupOrDefault<vector>("load", Zero);
-    dict.readIfPresent("heldForce", load_.force);
-    dict.readIfPresent("heldTorque", load_.torque);
+    load_.linear = dict.lookupOrDefault<vector>("load", Zero);
+    dict.readIfPresent("heldForce", load_.linear);
+    dict.readIfPresent("heldTorque", load_.angular);
 
     if (dict.found("eddy"))
     {
@@ -310,9 +309,11 @@ void Foam::immersedBody::writeState(Ostream& os) const
 
     os.writeEntry("number", number_);
     os.writeEntry("volume", volume());
-    if (origin_.size())
+    if (origin_)
     {
-        origin_.writeEntry("origin", os);
+        os.beginBlock("origin");
+        origin_->write(os);
+        os.endBlock();
     }
     if (passing_.size())
     {
@@ -328,7 +329,7 @@ void Foam::immersedBody::writeState(Ostream& os) const
     if (!resolved_)
     {
         // What the next step begins with
-        os.writeEntry("load", load_.force);
+        os.writeEntry("load", load_.linear);
     }
     else if
     (
@@ -337,8 +338,8 @@ void Foam::immersedBody::writeState(Ostream& os) const
     )
     {
         // What the next step compares the load with, see heldChange()
-        os.writeEntry("heldForce", load_.force);
-        os.writeEntry("heldTorque", load_.torque);
+        os.writeEntry("heldForce", load_.linear);
+        os.writeEntry("heldTorque", load_.angular);
     }
     if (eddy_.number > 0)
     {

@@ -186,11 +186,7 @@ Foam::autoPtr<Foam::immersedBody> Foam::injector::draw()
         )
     );
 
-    dictionary origin;
-    origin.add("injector", name_);
-    origin.add("size", size);
-    origin.add("densityRatio", body->densityRatio());
-    body->setOrigin(origin);
+    body->setOrigin(bodyOrigin(name_, size, body->densityRatio()));
 
     return body;
 }

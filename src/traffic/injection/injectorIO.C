@@ -5,12 +5,12 @@
 Foam::autoPtr<Foam::immersedBody> Foam::injector::remake
 (
     const word& name,
-    const dictionary& origin
+    const bodyOrigin& origin
 ) const
 {
     dictionary dict(dict_);
     dict.remove("density");
-    dict.set("densityRatio", origin.get<scalar>("densityRatio"));
+    dict.set("densityRatio", origin.densityRatio);
 
     autoPtr<immersedBody> body
     (
@@ -18,7 +18,7 @@ Foam::autoPtr<Foam::immersedBody> Foam::injector::remake
         (
             name,
             dict,
-            size_.valid() ? scaledShape(origin.get<scalar>("size")) : shape_,
+            size_.valid() ? scaledShape(origin.size) : shape_,
             space_,
             point::zero,
             rho_

@@ -226,7 +226,7 @@ void Foam::bodyPassage::take(autoPtr<immersedBody> body)
         );
         waiting_.append(body.ptr());
     }
-    else if (body->origin().empty())
+    else if (!body->injected())
     {
         gone_.append(body->name());
     }

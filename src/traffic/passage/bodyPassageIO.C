@@ -10,13 +10,12 @@ Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
     const dictionary& state
 ) const
 {
-    const dictionary& origin = state.subDict("origin");
-    const word from(origin.get<word>("injector"));
+    const bodyOrigin origin(state.subDict("origin"));
     wordList names;
 
     for (const injector& one : injectors_)
     {
-        if (one.name() == from)
+        if (one.name() == origin.injector)
         {
             return one.remake(name, origin);
         }
@@ -24,9 +23,9 @@ Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
     }
 
     FatalIOErrorInFunction(state)
-        << "Body '" << name << "' is of the injector '" << from << "', which"
-        << " 'injection' in constant/immersedBodyProperties does not have;"
-        << " those there are " << flatOutput(names) << nl
+        << "Body '" << name << "' is of the injector '" << origin.injector
+        << "', which 'injection' in constant/immersedBodyProperties does not"
+        << " have; those there are " << flatOutput(names) << nl
         << exit(FatalIOError);
 
     return autoPtr<immersedBody>();

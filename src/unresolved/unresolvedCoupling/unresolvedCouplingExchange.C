@@ -200,7 +200,7 @@ void Foam::unresolvedCoupling::addLoads
     forAll(bodies, bodyi)
     {
         const bodyKernel& kernel = grains_[bodyi].kernel;
-        const vector P(factor*bodies[bodyi].load().force);
+        const vector P(factor*bodies[bodyi].load().linear);
 
         forAll(kernel.cells, i)
         {

@@ -43,7 +43,7 @@ Foam::unresolvedMotion::unresolvedMotion
     void_(1),
     pressure_(Zero),
     response_(dense.active ? 0 : fluid.crowd()/ddt.c),
-    oldLoad_(body.load().force),
+    oldLoad_(body.load().linear),
     lift_(Zero)
 {
     const scalar own = V_*fluid.selfKernel();
