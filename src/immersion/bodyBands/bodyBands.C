@@ -54,7 +54,7 @@ Foam::bodyBands::bodyBands
     search_(search),
     surroundings_(surroundings),
     resistance_(resistance),
-    regions_(periods, bodies.size()),
+    regions_(periods),
     selection_(search.mesh()),
     same_(false),
     version_(0)
@@ -64,7 +64,6 @@ Foam::bodyBands::bodyBands
 void Foam::bodyBands::added()
 {
     selectAll();
-    regions_.add(bodies().size() - 1);
 }
 
 
@@ -77,9 +76,20 @@ void Foam::bodyBands::removed(const label bodyi)
 
 bool Foam::bodyBands::stillValid(const PtrList<immersedBody>& bodies) const
 {
+    if (!regions_.complete(bodies))
+    {
+        return false;
+    }
+
     forAll(bodies, bodyi)
     {
-        if (selected(bodyi) && !regions_[bodyi].stillValid(bodies[bodyi]))
+        const immersedBody& body = bodies[bodyi];
+
+        if
+        (
+            body.resolved() && selected(bodyi)
+         && !regions_[bodyi].stillValid(body)
+        )
         {
             return false;
         }
@@ -143,11 +153,6 @@ Foam::bodyRegion::change Foam::bodyBands::updateRegion
 {
     typedef bodyRegion::change change;
 
-    if (!body.resolved())
-    {
-        return region.clear() ? change::anew : change::none;
-    }
-
     const change done =
         region.update(body, search_, resistance_.bandWidth(), again);
 
@@ -210,9 +215,11 @@ Foam::bodyRegion::change Foam::bodyBands::update
         return change::none;
     }
 
-    regions_.updateImages(bodies, resistance_.bandWidth());
+    const bool others =
+        changed || selection_.over() || !regions_.complete(bodies);
+    change most = others ? change::anew : change::none;
 
-    change most = changed || selection_.over() ? change::anew : change::none;
+    regions_.update(bodies, resistance_.bandWidth());
 
     for (bodyRegion& region : regions())
     {

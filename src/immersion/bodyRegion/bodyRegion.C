@@ -128,13 +128,9 @@ Foam::scalar Foam::bodyRegion::moved(const immersedBody& body) const
 
 bool Foam::bodyRegion::stillValid(const immersedBody& body) const
 {
-    if (!body.resolved() || searchMargin_ < 0)
-    {
-        // None, and none is needed
-        return !body.resolved() && searchMargin_ < 0;
-    }
-
-    return !slid_ && moved(body) < minFollowed*body.shape().width();
+    return
+        searchMargin_ >= 0 && !slid_
+     && moved(body) < minFollowed*body.shape().width();
 }
 
 
@@ -208,41 +204,6 @@ Foam::autoPtr<Foam::bodyRegion> Foam::bodyRegion::part
             one.faceShield.append(faceShield[i]);
             one.faceShare.append(faceShare[i]);
         }
-    }
-
-    return some;
-}
-
-
-bool Foam::bodyRegion::clear()
-{
-    const bool some = searchMargin_ > 0;
-
-    searchMargin_ = -1;
-    position_ = point::max;
-    nearCells_.clear();
-    nearFaces_.clear();
-    nearCellH_.clear();
-    nearFaceH_.clear();
-
-    for (DynamicList<label>* labels : {&cells, &faces})
-    {
-        labels->clearStorage();
-    }
-    for
-    (
-        DynamicList<scalar>* values
-      : {
-            &distance, &h, &c4, &resistance, &shield, &share, &faceDistance,
-            &faceH, &faceShield, &faceShare
-        }
-    )
-    {
-        values->clearStorage();
-    }
-    for (DynamicList<vector>* v : {&x, &normal, &faceX, &faceNormal})
-    {
-        v->clearStorage();
     }
 
     return some;

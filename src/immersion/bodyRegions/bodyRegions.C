@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyRegions.H"
+#include <algorithm>
 
 namespace
 {
@@ -27,39 +28,58 @@ Foam::label findFor
 } // End anonymous namespace
 
 
-Foam::bodyRegions::bodyRegions
-(
-    const periodicity& periods,
-    const label nBodies
-)
+Foam::bodyRegions::bodyRegions(const periodicity& periods)
 :
     periodicity_(periods),
-    regions_(nBodies)
+    nBodies_(0)
+{}
+
+
+const Foam::bodyRegion& Foam::bodyRegions::operator[](const label bodyi) const
 {
-    forAll(regions_, bodyi)
+    const auto isBefore = [](const bodyRegion& region, const label bodyj)
     {
-        regions_.set(bodyi, new bodyRegion(bodyi));
+        return region.body() < bodyj;
+    };
+    const auto end = regions_.begin() + nBodies_;
+    const auto found =
+        std::lower_bound(regions_.begin(), end, bodyi, isBefore);
+
+    if (found == end || found->body() != bodyi)
+    {
+        FatalErrorInFunction
+            << "There is no region of body " << bodyi << nl
+            << abort(FatalError);
     }
+
+    return *found;
 }
 
 
-void Foam::bodyRegions::add(const label bodyi)
+bool Foam::bodyRegions::complete(const PtrList<immersedBody>& bodies) const
 {
-    regions_.resize(regions_.size() + 1);
+    label n = 0;
 
-    // Before the images
-    for (label i = regions_.size() - 1; i > bodyi; --i)
+    forAll(bodies, bodyi)
     {
-        regions_.set(i, regions_.release(i - 1));
+        if (bodies[bodyi].resolved())
+        {
+            if (n == nBodies_ || regions_[n].body() != bodyi)
+            {
+                return false;
+            }
+            ++n;
+        }
     }
-    regions_.set(bodyi, new bodyRegion(bodyi));
+
+    return n == nBodies_;
 }
 
 
 void Foam::bodyRegions::remove(const label bodyi)
 {
     PtrList<bodyRegion> others(regions_.size());
-    label n = 0;
+    label n = 0, nBodies = 0;
 
     forAll(regions_, i)
     {
@@ -67,48 +87,41 @@ void Foam::bodyRegions::remove(const label bodyi)
         {
             others.set(n, regions_.release(i));
             others[n++].moveUp(bodyi);
+            nBodies += i < nBodies_;
         }
     }
 
     others.resize(n);
     regions_.transfer(others);
+    nBodies_ = nBodies;
 }
 
 
-void Foam::bodyRegions::updateImages
+void Foam::bodyRegions::update
 (
     const PtrList<immersedBody>& bodies,
     const scalar bandWidth
 )
 {
-    bool any = false;
-
-    for (const immersedBody& body : bodies)
-    {
-        any = any || body.resolved();
-    }
-
-    if (!periodicity_.active() || !(any || regions_.size() > bodies.size()))
-    {
-        return;
-    }
-
-    // The bodies, then their images
-    DynamicList<label> of(identity(bodies.size()));
-    DynamicList<periodicity::image> images
-    (
-        bodies.size(), periodicity::image{Zero, Zero, Zero}
-    );
+    const periodicity::image itself{Zero, Zero, Zero};
+    DynamicList<label> of;
+    DynamicList<periodicity::image> images;
 
     forAll(bodies, bodyi)
     {
-        const immersedBody& body = bodies[bodyi];
-
-        if (!body.resolved())
+        if (bodies[bodyi].resolved())
         {
-            continue;
+            of.append(bodyi);
+            images.append(itself);
         }
+    }
 
+    nBodies_ = of.size();
+
+    for (label i = 0; i < nBodies_ && periodicity_.active(); ++i)
+    {
+        const label bodyi = of[i];
+        const immersedBody& body = bodies[bodyi];
         const scalar reach = bodyRegion::reach(body, bandWidth);
 
         for

@@ -27,7 +27,7 @@ const Foam::DynamicList<Foam::label>& Foam::bodyResolution::cellsBeside
 ) const
 {
     return bodies_[bodyi].resolved()
-      ? region_.regions()[bodyi].cells
+      ? region_.bands().region(bodyi).cells
       : coupling().cells(bodyi);
 }
 
@@ -139,7 +139,7 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
         {
             sizes[bodyi] = bodyCellSizes::largest
             (
-                region_.regions()[bodyi], region_.search()
+                region_.bands().region(bodyi), region_.search()
             ).first();
         }
     }

@@ -7,10 +7,16 @@
 
 void Foam::immersedBodies::checkInside() const
 {
+    const cellSearch& search = region_.search();
     labelList found(bodies_.size(), 0);
 
-    // A fixed one may be there in part, such as one that a plane of symmetry
-    // cuts
+    forAll(bodies_, bodyi)
+    {
+        found[bodyi] = search.findCell(bodies_[bodyi].state().position) >= 0;
+    }
+
+    // Or an image of it. A fixed one may be there in part, such as one that a
+    // plane of symmetry cuts
     for (const bodyRegion& region : region_.regions())
     {
         const label bodyi = region.body();
@@ -18,7 +24,7 @@ void Foam::immersedBodies::checkInside() const
 
         if
         (
-            region_.search().findCell(region.centre(body.state())) >= 0
+            search.findCell(region.centre(body.state())) >= 0
          || (
                 (body.isFixed() || body.passing().size())
              && !region.cells.empty()
