@@ -53,9 +53,9 @@ Foam::bodyKernel::bodyKernel()
 
 void Foam::bodyKernel::clear()
 {
-    images_.clearStorage();
-    near_.clearStorage();
-    nearImage_.clearStorage();
+    images_.clear();
+    near_.clear();
+    nearImage_.clear();
     cells.clearStorage();
     image.clearStorage();
     r.clearStorage();
@@ -82,9 +82,12 @@ void Foam::bodyKernel::search
 
     const scalar reach = R + searchMargin_;
 
-    images_ = {periodicity::image{Zero, Zero, Zero}};
-    near_.clear();
-    nearImage_.clear();
+    // Kept without room for more: there may be a million of them
+    DynamicList<periodicity::image> images
+    (
+        1, periodicity::image{Zero, Zero, Zero}
+    );
+    DynamicList<label> near, nearImage;
 
     for (const periodicity::image& im : periods.localImages(x, reach))
     {
@@ -94,7 +97,7 @@ void Foam::bodyKernel::search
         {
             continue;
         }
-        images_.append(im);
+        images.append(im);
 
         for (const label celli : search.cellsAround(image, reach))
         {
@@ -102,11 +105,15 @@ void Foam::bodyKernel::search
 
             if (magSqr(d) < sqr(reach))
             {
-                near_.append(celli);
-                nearImage_.append(images_.size() - 1);
+                near.append(celli);
+                nearImage.append(images.size() - 1);
             }
         }
     }
+
+    images_ = images;
+    near_ = near;
+    nearImage_ = nearImage;
 }
 
 
