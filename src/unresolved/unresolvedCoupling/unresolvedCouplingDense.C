@@ -122,14 +122,16 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 }
 
 
-void Foam::unresolvedCoupling::setMotions
+void Foam::unresolvedCoupling::setForces
 (
     PtrList<immersedBody>& bodies,
     const ddtCoefficients& ddt,
     const vector& g,
+    const carrierFlow& flow,
     const vectorField& a
 )
 {
+    const List<fluidSample> samples(sample(bodies, ddt, flow));
     const vectorField pressure
     (
         kernelMeans
@@ -145,8 +147,8 @@ void Foam::unresolvedCoupling::setMotions
 
     dense.active = true;
     dense.maxFraction = 1 - minVoid_;
-    motions_.clear();
-    motions_.resize(bodies.size());
+    forces_ = List<grainForce>(bodies.size());
+    torques_.resize(bodies.size());
 
     forAll(bodies, bodyi)
     {
@@ -156,23 +158,23 @@ void Foam::unresolvedCoupling::setMotions
         }
 
         dense.pressure = pressure[bodyi];
-        motions_.set
+
+        const unresolvedMotion motion
         (
-            bodyi,
-            new unresolvedMotion
-            (
-                drag_(),
-                samples_[bodyi],
-                bodies[bodyi],
-                *grains_[bodyi].shape,
-                ddt,
-                g,
-                vector::zero,
-                fluctuation(samples_[bodyi], bodies[bodyi]),
-                lifts_,
-                dense
-            )
+            drag_(),
+            samples[bodyi],
+            bodies[bodyi],
+            *grains_[bodyi].shape,
+            ddt,
+            g,
+            vector::zero,
+            fluctuation(samples[bodyi], bodies[bodyi]),
+            lifts_,
+            dense
         );
+
+        forces_[bodyi] = motion.implicitForce(bodies[bodyi], ddt, g);
+        torques_[bodyi] = motion.torque();
     }
 }
 
@@ -189,18 +191,7 @@ void Foam::unresolvedCoupling::linearise
     vectorField& force
 )
 {
-    samples_ = sample(bodies, ddt, flow);
-    setMotions(bodies, ddt, g, a);
-    forces_ = List<grainForce>(bodies.size());
-
-    forAll(bodies, bodyi)
-    {
-        if (motions_.set(bodyi))
-        {
-            forces_[bodyi] =
-                motions_[bodyi].implicitForce(bodies[bodyi], ddt, g);
-        }
-    }
+    setForces(bodies, ddt, g, flow, a);
 
     // The cells of a kernel are those of any rank
     share_.give(forces_);
@@ -250,7 +241,7 @@ void Foam::unresolvedCoupling::advance
         // The equation is linear: the second time sets the load only
         for (label k = 0; k < 2; ++k)
         {
-            body.correctVelocity(motions_[bodyi].load(body, ddt, F), ddt, g);
+            body.correctVelocity(torques_[bodyi].load(body, ddt, F), ddt, g);
         }
     }
 

@@ -13,9 +13,9 @@ void Foam::unresolvedMotion::setTorque(const vector& W, const tensor& grad)
     const vector t(shape_.turning());
     const symmTensor E(symm(R_.T() & grad & R_));
 
-    turning_ =
+    torque_.turning =
         sphere*(R_ & tensor(t.x(), 0, 0, 0, t.y(), 0, 0, 0, t.z()) & R_.T());
-    torque_ =
+    torque_.torque =
         R_
       & (
             sphere*shape_.straining(E)
@@ -41,44 +41,7 @@ Foam::bodyLoad Foam::unresolvedMotion::load
           - b_*(u_ - response_*oldLoad_ - body.state().U)
         );
     load.a = implicit*(1.5*V_*ddt.c + b_);
-    addTorque(body, ddt, load);
-
-    return load;
-}
-
-
-void Foam::unresolvedMotion::addTorque
-(
-    const immersedBody& body,
-    const ddtCoefficients& ddt,
-    bodyLoad& load
-) const
-{
-    const bodyState& state = body.state();
-    const tensor I(body.inertia(state));
-
-    load.torque =
-        body.ddtMomentum(ddt).angular - torque_
-      - (turning_ & (spin_ - state.omega));
-    load.aRowCol =
-        ddt.c*(0.5*tr(I)*tensor::I - I)
-      + 0.5*tr(turning_)*tensor::I - turning_;
-    load.volume = V_;
-}
-
-
-Foam::bodyLoad Foam::unresolvedMotion::load
-(
-    const immersedBody& body,
-    const ddtCoefficients& ddt,
-    const vector& F
-) const
-{
-    bodyLoad load;
-
-    load.force = body.ddtMomentum(ddt).linear - F;
-    load.a = V_*ddt.c;
-    addTorque(body, ddt, load);
+    torque_.addTo(body, ddt, load);
 
     return load;
 }

@@ -61,7 +61,7 @@ Foam::unresolvedMotion::unresolvedMotion
     const tensor grad(fluid.gradient());
 
     u_ = fluid.velocity(grad);
-    spin_ = 0.5*vector
+    torque_.spin = 0.5*vector
     (
         grad.yz() - grad.zy(), grad.zx() - grad.xz(), grad.xy() - grad.yx()
     );
@@ -78,7 +78,10 @@ Foam::unresolvedMotion::unresolvedMotion
 
     for (const liftModel& lift : lifts)
     {
-        lift_ += lift.force(W, 2*spin_, body.state().omega, D_, fluid.nu());
+        lift_ += lift.force
+        (
+            W, 2*torque_.spin, body.state().omega, D_, fluid.nu()
+        );
     }
     if (lifts.size())
     {
