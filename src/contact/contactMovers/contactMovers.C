@@ -2,20 +2,54 @@
 
 #include "contactMovers.H"
 
-Foam::label Foam::contactMovers::moverOf
-(
-    const PtrList<immersedBody>& bodies,
-    const label bodyi,
-    const scalar dt
-)
+Foam::label Foam::contactMovers::moverOf(const label bodyi)
 {
     if (numbers_[bodyi] < 0)
     {
-        numbers_[bodyi] = size();
-        append(contactMover(bodies, bodyi, dt));
+        numbers_[bodyi] = movers_.size();
+        movers_.append(bodyi);
     }
 
     return numbers_[bodyi];
+}
+
+
+void Foam::contactMovers::findPairs
+(
+    const PtrList<immersedBody>& bodies,
+    const UList<closePairs::pair>& close,
+    const wallFacets& walls,
+    const scalar dt
+)
+{
+    for (const closePairs::pair& p : close)
+    {
+        const bool needed = share_.mine(p.a) || share_.mine(p.b);
+
+        if (needed && (bodies[p.a].isFree() || bodies[p.b].isFree()))
+        {
+            pair found;
+
+            found.a = moverOf(p.a);
+            found.b = moverOf(p.b);
+
+            // The step begins where sliding images have been
+            found.shift = p.shift - dt*p.velocity;
+            found.velocity = p.velocity;
+            pairs_.append(found);
+        }
+    }
+
+    forAll(bodies, i)
+    {
+        if (share_.mine(i) && bodies[i].isFree() && walls.beside(i))
+        {
+            pair found;
+
+            found.a = moverOf(i);
+            pairs_.append(found);
+        }
+    }
 }
 
 
@@ -94,39 +128,24 @@ bool Foam::contactMovers::search
     walls.update(centres, reach, periods);
 
     clear();
+    movers_.clear();
     pairs_.clear();
     send_.clear();
     receive_.clear();
     numbers_.setSize(bodies.size());
     numbers_ = -1;
 
-    for (const closePairs::pair& p : close.pairs())
+    findPairs(bodies, close.pairs(), walls, dt);
+
+    // Large as they are, without room for more
+    if (movers_.size() > capacity())
     {
-        const bool needed = share_.mine(p.a) || share_.mine(p.b);
-
-        if (needed && (bodies[p.a].isFree() || bodies[p.b].isFree()))
-        {
-            pair found;
-
-            found.a = moverOf(bodies, p.a, dt);
-            found.b = moverOf(bodies, p.b, dt);
-
-            // The step begins where sliding images have been
-            found.shift = p.shift - dt*p.velocity;
-            found.velocity = p.velocity;
-            pairs_.append(found);
-        }
+        clearStorage();
+        setCapacity(movers_.size());
     }
-
-    forAll(bodies, i)
+    for (const label bodyi : movers_)
     {
-        if (share_.mine(i) && bodies[i].isFree() && walls.beside(i))
-        {
-            pair found;
-
-            found.a = moverOf(bodies, i, dt);
-            pairs_.append(found);
-        }
+        append(contactMover(bodies, bodyi, dt));
     }
 
     if (shared())
