@@ -71,8 +71,8 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
         CHECK(rotation == near(torque));
     }
 
-    CHECK(difference(body.fluidForce(), -load.force) < 1e-12);
-    CHECK(difference(body.fluidTorque(), -load.torque) < 1e-12);
+    CHECK(difference(body.fluid().force(), -load.force) < 1e-12);
+    CHECK(difference(body.fluid().torque(), -load.torque) < 1e-12);
 }
 
 
@@ -160,6 +160,6 @@ TEST_CASE("Locked components keep their velocity", "[immersedBody]")
         CHECK_FALSE(body.isFixed());
         CHECK(body.state().U == vector(1, 2, 0));
         CHECK(body.state().omega == vector(0, 0, 3));
-        CHECK(difference(body.fluidForce(), -load.force) < 1e-12);
+        CHECK(difference(body.fluid().force(), -load.force) < 1e-12);
     }
 }

@@ -32,7 +32,7 @@ TEST_CASE("A body whose fluid follows it falls freely", "[immersedBody]")
     CHECK(mag(body.state().omega) < 1e-12);
 
     // Nothing but weight acts: the fluid's force is that of its own weight
-    CHECK(difference(body.fluidForce(), body.volume()*g) < 1e-10);
+    CHECK(difference(body.fluid().force(), body.volume()*g) < 1e-10);
 }
 
 
@@ -65,7 +65,7 @@ TEST_CASE("In fluid that stays at rest a light body rises",
         for (label outer = 0; outer < (ratio < 0.1 ? 2000 : 100); ++outer)
         {
             bodyLoad load;
-            load.force = V*body.acceleration(ddt).linear;
+            load.force = V*body.motion().acceleration(ddt).linear;
             for (const vector& r : corners)
             {
                 load.addResponse(0.25*V*ddt.c, r, r);
@@ -78,7 +78,7 @@ TEST_CASE("In fluid that stays at rest a light body rises",
     const scalar t = n*dt;
     CHECK(difference(body.state().U, t*a) < 1e-9*mag(a));
     CHECK(difference(body.state().position, 0.5*sqr(t)*a) < 1e-9*mag(a));
-    CHECK(mag(body.fluidForce()) < 1e-12);
+    CHECK(mag(body.fluid().force()) < 1e-12);
 }
 
 
@@ -108,14 +108,21 @@ TEST_CASE("A grain that tumbles fast keeps its angular momentum",
     immersedBody body
     (
         "grain",
-        testTools::dict("densityRatio 1000; angularVelocity (200 1800 400);"),
-        testTools::shape
+        std::make_shared<const bodyKind>
         (
-            "type ellipsoid; semiAxes (3.5e-3 1.3e-3 1.2e-3);", space
+            testTools::dict
+            (
+                "densityRatio 1000; angularVelocity (200 1800 400);"
+            ),
+            testTools::shape
+            (
+                "type ellipsoid; semiAxes (3.5e-3 1.3e-3 1.2e-3);", space
+            ),
+            space, 1
         ),
-        space, point::zero, 1
+        point::zero
     );
-    body.setResolved(false);
+    body.status().setResolved(false);
 
     const vector L(body.inertia(body.state()) & body.state().omega);
     const scalar spin = mag(body.state().omega);
@@ -192,9 +199,9 @@ TEST_CASE("A time step that is undone leaves the load of the last",
     body.correctVelocity(last, ddt, vector::zero);
     body.beginStep();
     body.correctVelocity(failed, ddt, vector::zero);
-    CHECK(difference(body.load().linear, failed.force) == 0);
+    CHECK(difference(body.fluid().load().linear, failed.force) == 0);
 
     body.undoStep();
-    CHECK(difference(body.load().linear, last.force) == 0);
-    CHECK(difference(body.load().angular, last.torque) == 0);
+    CHECK(difference(body.fluid().load().linear, last.force) == 0);
+    CHECK(difference(body.fluid().load().angular, last.torque) == 0);
 }

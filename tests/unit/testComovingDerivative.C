@@ -124,7 +124,7 @@ public:
     //- Does all of a cell move with the sphere
     bool moves(const label celli) const
     {
-        return bodies_[0].distance(mesh().C()[celli]) < inside*h;
+        return bodies_[0].posed().distance(mesh().C()[celli]) < inside*h;
     }
 };
 

@@ -35,7 +35,7 @@ TEST_CASE("Cost of ellipsoids on a heap", "[.cost]")
             "type ellipsoid; semiAxes (4.7e-3 4.1e-3 2.32e-3);",
             0.014*lattice + vector(0, 0, 0.008) + 0.002*random.vector(),
             {0.1, 0.2, -0.5}, 30*random.vector()
-        ).setResolved(false);
+        ).status().setResolved(false);
     }
 
     for (const label before : {0, 700})

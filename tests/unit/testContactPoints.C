@@ -49,8 +49,13 @@ struct placed
         const geometricSpace space(-1);
         immersedBody b
         (
-            "grain", testTools::dict("densityRatio 2;"),
-            testTools::shape(shape, space), space, position, 1
+            "grain",
+            std::make_shared<const bodyKind>
+            (
+                testTools::dict("densityRatio 2;"),
+                testTools::shape(shape, space), space, 1
+            ),
+            position
         );
         bodyState state(b.state());
         state.orientation =

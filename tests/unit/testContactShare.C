@@ -72,7 +72,7 @@ struct Heap
                 4*random.vector(), i % 11 == 5 ? "densityRatio 2;"
                 "constraints { translate (0 0 0); rotate (0 0 0); }"
               : "densityRatio 2;"
-            ).setResolved(false);
+            ).status().setResolved(false);
         }
     }
 };

@@ -144,13 +144,13 @@ TEST_CASE("Gap of smooth bodies in any pose", "[contact]")
 
         CHECK(touch.gap == Approx(0).margin(flat ? 5e-5 : 2e-7));
         CHECK(difference(touch.normal, found.normal) < (flat ? 0.02 : 1e-3));
-        CHECK(a.distance(touch.position) == Approx(0).margin(1e-4));
-        CHECK(b.distance(touch.position) == Approx(0).margin(1e-4));
+        CHECK(a.posed().distance(touch.position) == Approx(0).margin(1e-4));
+        CHECK(b.posed().distance(touch.position) == Approx(0).margin(1e-4));
 
         scalarField d(1);
         for (const point& x : contactPoint::surface(b))
         {
-            CHECK(a.distance(x) > (flat ? -1e-4 : -1e-6));
+            CHECK(a.posed().distance(x) > (flat ? -1e-4 : -1e-6));
         }
     }
 }

@@ -44,7 +44,7 @@ TEST_CASE("Inside a tube made of flat faces", "[contact]")
     for (label i = 0; i < 4000; ++i)
     {
         scene.step(0.002);
-        const vector n(normalised(scene.bodies[0].contactForce().linear));
+        const vector n(normalised(scene.bodies[0].contact().force().linear));
         if (i > 500)
         {
             CHECK(mag(n) > 0);

@@ -21,7 +21,7 @@ void addGrain(Scene& scene)
         grain, {0, 0, 1e-2}, {1, 0.2, 3}, {400, 1500, 200},
         "densityRatio 1000;"
     );
-    body.setResolved(false);
+    body.status().setResolved(false);
 
     scene.addPlane({0, 0, 0}, {0, 0, 1});
     scene.addPlane({0, 0, 2e-2}, {0, 0, -1});
@@ -115,7 +115,7 @@ TEST_CASE("Grains that tumble over an edge make no energy", "[contact]")
         grain, {GENERATE(-1e-3, 0., 0.4e-3, 1e-3), 0, 5e-3}, {-0.2, 0, -1},
         {0, GENERATE(-300., 0., 500.), 40}, "densityRatio 1000;"
     );
-    body.setResolved(false);
+    body.status().setResolved(false);
     scene.addWall({{-1, -1, 0}, {-1, 1, 0}, {0, 1, 0}, {0, -1, 0}});
     scene.addWall({{0, -1, 0}, {0, 1, 0}, {0, 1, -1}, {0, -1, -1}});
 

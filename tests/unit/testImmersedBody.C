@@ -55,15 +55,15 @@ TEST_CASE("Distance and normals follow the pose", "[immersedBody]")
 {
     immersedBody body(makeBody("densityRatio 2;", space, 1, {1, 2, 3}));
 
-    CHECK(body.distance({1, 2, 5}) == near(1.5));
-    CHECK(body.distance({1, 2, 3}) == near(-0.5));
+    CHECK(body.posed().distance({1, 2, 5}) == near(1.5));
+    CHECK(body.posed().distance({1, 2, 3}) == near(-0.5));
 
     vectorField n(1);
-    body.normal(pointField(1, {4, 2, 7}), n);
+    body.posed().normal(pointField(1, {4, 2, 7}), n);
     CHECK(difference(n[0], vector(0.6, 0, 0.8)) < 1e-12);
 
     scalarField d(2);
-    body.distance(pointField({{4, 2, 7}, {1, 2.25, 3}}), d);
+    body.posed().distance(pointField({{4, 2, 7}, {1, 2.25, 3}}), d);
     CHECK(d[0] == near(4.5));
     CHECK(d[1] == near(-0.25));
 }
@@ -158,8 +158,8 @@ TEST_CASE("A written body goes on to the last bit", "[immersedBody]")
     CHECK(copy.state().orientation == body.state().orientation);
     CHECK(copy.state().U == body.state().U);
     CHECK(copy.state().omega == body.state().omega);
-    CHECK(copy.fluidForce() == body.fluidForce());
-    CHECK(copy.fluidTorque() == body.fluidTorque());
+    CHECK(copy.fluid().force() == body.fluid().force());
+    CHECK(copy.fluid().torque() == body.fluid().torque());
 }
 
 

@@ -130,13 +130,16 @@ TEST_CASE("Lift acts on an unresolved grain, and back", "[lift]")
     immersedBody body
     (
         "grain",
-        dict("motion { type fixed; }"),
-        shape("type sphere; radius 0.05;", geometricSpace(-1)),
-        geometricSpace(-1),
-        point::zero,
-        -1
+        std::make_shared<const bodyKind>
+        (
+            dict("motion { type fixed; }"),
+            shape("type sphere; radius 0.05;", geometricSpace(-1)),
+            geometricSpace(-1),
+            -1
+        ),
+        point::zero
     );
-    body.setResolved(false);
+    body.status().setResolved(false);
 
     const tensor grad(0, 0, 0, 2, 0, 0, 0, 0, 0);
     const scalar nu = 0.1;

@@ -167,8 +167,13 @@ TEST_CASE("Gap to an image", "[periodicity][contact]")
     {
         return immersedBody
         (
-            "grain", testTools::dict("densityRatio 1;"),
-            testTools::shape(text, threeD), threeD, position, 1
+            "grain",
+            std::make_shared<const bodyKind>
+            (
+                testTools::dict("densityRatio 1;"),
+                testTools::shape(text, threeD), threeD, 1
+            ),
+            position
         );
     };
 

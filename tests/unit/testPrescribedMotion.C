@@ -94,10 +94,10 @@ TEST_CASE("The force on a prescribed body has the inertia inside",
     CHECK(body.state().U.x() == near(2));
     CHECK(difference
     (
-        body.fluidForce(),
+        body.fluid().force(),
         body.volume()*vector(4, 0, 0) - load
     ) < 1e-10);
-    CHECK(body.fluidTorque().z() == near(-(0.1*2 - 0.2*1)));
+    CHECK(body.fluid().torque().z() == near(-(0.1*2 - 0.2*1)));
 }
 
 

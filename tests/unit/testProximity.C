@@ -16,8 +16,13 @@ TEST_CASE("Gap between bodies", "[contact]")
     {
         return immersedBody
         (
-            "grain", testTools::dict("densityRatio 1;"),
-            shape(text, threeD), threeD, position, 1
+            "grain",
+            std::make_shared<const bodyKind>
+            (
+                testTools::dict("densityRatio 1;"),
+                shape(text, threeD), threeD, 1
+            ),
+            position
         );
     };
 

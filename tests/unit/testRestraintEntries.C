@@ -120,7 +120,7 @@ TEST_CASE("Springs hold on in periodic meshes, windows and restarts",
     CHECK(difference(wrapped.state().U, body.state().U) < 1e-12);
     CHECK(next.state().U == wrapped.state().U);
     CHECK(next.state().omega == wrapped.state().omega);
-    CHECK(mag(body.state().U - body.oldState().U) > 0.01);
+    CHECK(mag(body.state().U - body.motion().old().U) > 0.01);
 
     // Others have nothing of it in their state
     OStringStream none;
@@ -132,14 +132,14 @@ TEST_CASE("Springs hold on in periodic meshes, windows and restarts",
 TEST_CASE("Bodies with restraints do not sleep", "[restraints]")
 {
     CHECK(makeBody("densityRatio 3;").settles());
-    CHECK_FALSE(makeBody("densityRatio 3;").restrained());
-    CHECK_FALSE(makeBody("densityRatio 3; restraints {}").restrained());
+    CHECK_FALSE(makeBody("densityRatio 3;").kind().restrained());
+    CHECK_FALSE(makeBody("densityRatio 3; restraints {}").kind().restrained());
 
     immersedBody body(restrained
     (
         "densityRatio 3;", "type linearSpring; damping (1 1 1);"
     ));
-    CHECK(body.restrained());
+    CHECK(body.kind().restrained());
     CHECK_FALSE(body.settles());
 }
 

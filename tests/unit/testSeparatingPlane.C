@@ -44,7 +44,10 @@ scalar sampledGap(const immersedBody& a, const immersedBody& b)
         gap = min
         (
             gap,
-            a.distance(b.support({r*std::cos(angle), r*std::sin(angle), z}))
+            a.posed().distance
+            (
+                b.posed().support({r*std::cos(angle), r*std::sin(angle), z})
+            )
         );
     }
 
@@ -163,7 +166,7 @@ TEST_CASE("Ellipsoids that are left out do not touch", "[contact]")
             20*random.vector());
         for (immersedBody& body : scene.bodies)
         {
-            body.setResolved(false);
+            body.status().setResolved(false);
             body.beginStep();
         }
 
@@ -225,7 +228,7 @@ TEST_CASE("The path of a body's outermost points", "[contact]")
     RandomNumbers random(8);
     Scene scene("");
     immersedBody& body = scene.add(ellipsoid, Zero, Zero, {30, 400, 150});
-    body.setResolved(!tumbles);
+    body.status().setResolved(!tumbles);
     body.beginStep();
 
     contactMover mover(scene.bodies, 0, h);

@@ -245,13 +245,18 @@ TEST_CASE("A free ellipsoid turns as Jeffery has it", "[shapes]")
         INFO("angle " << angle);
         immersedBody body
         (
-            "grain", dict("densityRatio 1.0001;"),
-            shape(ellipsoid(a, b, b), space), space, point::zero, -1
+            "grain",
+            std::make_shared<const bodyKind>
+            (
+                dict("densityRatio 1.0001;"),
+                shape(ellipsoid(a, b, b), space), space, -1
+            ),
+            point::zero
         );
         bodyState state(body.state());
         state.orientation = quaternion(vector(0, 0, 1), angle);
         body.setState(state);
-        body.setResolved(false);
+        body.status().setResolved(false);
         body.beginStep();
 
         const fluidSample fluid(flow(shear, Zero, nu));
@@ -280,13 +285,18 @@ TEST_CASE("An inclined spheroid falls sideways in Stokes flow", "[shapes]")
     const auto m = model("ellipsoid", ellipsoid(a, b, b));
     immersedBody body
     (
-        "grain", dict("densityRatio 3;"), shape(ellipsoid(a, b, b), space),
-        space, point::zero, -1
+        "grain",
+        std::make_shared<const bodyKind>
+        (
+            dict("densityRatio 3;"),
+            shape(ellipsoid(a, b, b), space), space, -1
+        ),
+        point::zero
     );
     bodyState state(body.state());
     state.orientation = quaternion(vector(0, 1, 0), angle);
     body.setState(state);
-    body.setResolved(false);
+    body.status().setResolved(false);
 
     // Steps that are long beside the time drag takes, in which it does not turn
     const ddtCoefficients ddt("Euler", 1e6, 1e6);

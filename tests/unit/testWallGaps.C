@@ -111,7 +111,7 @@ TEST_CASE("No wall is nearer than the least gap", "[contact]")
             gap = min
             (
                 gap,
-                body.distance
+                body.posed().distance
                 (
                     facet.centre
                   + s*(face[corner] + t*(face[(corner + 1) % 4] - face[corner])
@@ -155,7 +155,7 @@ TEST_CASE("The least gap to a plane is the gap", "[contact]")
         place(body, random, 0.5);
 
         const scalar gap =
-            (body.support({0, 0, -1}) & vector(0, 0, 1));
+            (body.posed().support({0, 0, -1}) & vector(0, 0, 1));
 
         CHECK(wall.leastGap(0, body) == Approx(gap).margin(1e-12));
     }

@@ -64,7 +64,7 @@ void Foam::bodySleep::settle(PtrList<immersedBody>& bodies, const scalar dt)
         {
             rests_.insert
             (
-                body.number(), rest{0, 0, body.oldState().U, Zero}
+                body.number(), rest{0, 0, body.motion().old().U, Zero}
             );
         }
 
@@ -82,7 +82,7 @@ void Foam::bodySleep::settle(PtrList<immersedBody>& bodies, const scalar dt)
 
         if (left < smallForce(body))
         {
-            known.force = body.fluidForce();
+            known.force = body.fluid().force();
             body.setAsleep(true);
         }
         else

@@ -24,8 +24,8 @@ void Foam::bodySleep::wakeByFluid(PtrList<immersedBody>& bodies)
     {
         if
         (
-            body.asleep()
-         && mag(body.fluidForce() - rests_[body.number()].force)
+            body.status().asleep()
+         && mag(body.fluid().force() - rests_[body.number()].force)
           > smallForce(body)
         )
         {
@@ -53,7 +53,7 @@ void Foam::bodySleep::wakeByOthers
         centres[i] = body.state().position;
         radii[i] = (1 + margin)*body.shape().boundingRadius();
 
-        if (body.asleep())
+        if (body.status().asleep())
         {
             any = true;
         }
@@ -73,8 +73,8 @@ void Foam::bodySleep::wakeByOthers
 
     for (const closePairs::pair& p : close.pairs())
     {
-        const bool a = bodies[p.a].asleep();
-        const bool b = bodies[p.b].asleep();
+        const bool a = bodies[p.a].status().asleep();
+        const bool b = bodies[p.b].status().asleep();
 
         if (a != b && bodies[a ? p.b : p.a].maxSpeed() > speed_)
         {
@@ -97,7 +97,7 @@ void Foam::bodySleep::wakeByWalls
     forAll(bodies, i)
     {
         centres[i] = bodies[i].state().position;
-        if (bodies[i].asleep())
+        if (bodies[i].status().asleep())
         {
             radii[i] = (1 + margin)*bodies[i].shape().boundingRadius();
         }

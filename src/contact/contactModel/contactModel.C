@@ -48,7 +48,7 @@ Foam::labelHashSet Foam::contactModel::asleep
         if (!body.isFree())
         {
             held.insert(body.number());
-            any = any || body.asleep();
+            any = any || body.status().asleep();
         }
     }
 

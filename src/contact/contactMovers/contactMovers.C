@@ -64,7 +64,7 @@ Foam::scalarField Foam::contactMovers::ways
 
     forAll(bodies, i)
     {
-        const bodyState& old = bodies[i].oldState();
+        const bodyState& old = bodies[i].motion().old();
         const bodyState& end = bodies[i].state();
         const bodyShape& shape = bodies[i].shape();
         const scalar spin =
@@ -118,7 +118,7 @@ bool Foam::contactMovers::search
         const scalar radius =
             bodies[i].shape().boundingRadius() + furthest[i] + slide;
 
-        centres[i] = bodies[i].oldState().position;
+        centres[i] = bodies[i].motion().old().position;
         radii[i] = radius + aroundBody[i];
         reach[i] = bodies[i].isFree() ? radius + aroundWall[i] : 0;
     }

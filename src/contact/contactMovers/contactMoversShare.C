@@ -21,7 +21,7 @@ void Foam::contactMovers::share
 
     forAll(centres, i)
     {
-        centres[i] = bodies[i].oldState().position;
+        centres[i] = bodies[i].motion().old().position;
     }
     share_.divide(centres);
 }

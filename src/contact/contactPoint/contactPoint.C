@@ -58,7 +58,7 @@ void Foam::contactPoint::sample
 {
     const pointField x(surface(b) + shift);
     scalarField gaps(x.size());
-    a.distance(x, gaps);
+    a.posed().distance(x, gaps);
 
     if (min(gaps) < gap)
     {
@@ -66,7 +66,7 @@ void Foam::contactPoint::sample
         const UList<point> at(const_cast<point*>(&x[nearest]), 1);
         UList<vector> n(&normal, 1);
 
-        a.normal(at, n);
+        a.posed().normal(at, n);
         position -= 0.5*gap*normal;
     }
 }
@@ -93,8 +93,8 @@ void Foam::contactPoint::separate
         const scalar least = 0.5*axes.gap + 1e-6*a.shape().boundingRadius();
 
         exact =
-            a.distance(axes.position) <= least
-         && b.distance(axes.position - shift) <= least;
+            a.posed().distance(axes.position) <= least
+         && b.posed().distance(axes.position - shift) <= least;
     }
 
     if (exact)
@@ -128,8 +128,8 @@ Foam::contactPoint::contactPoint
         UList<vector> n(&normal, 1);
         const scalar R = b.shape().boundingRadius();
 
-        a.normal(UList<point>(const_cast<point*>(&xb), 1), n);
-        gap = a.distance(xb) - R;
+        a.posed().normal(UList<point>(const_cast<point*>(&xb), 1), n);
+        gap = a.posed().distance(xb) - R;
         position = xb - (R + 0.5*gap)*normal;
         return;
     }

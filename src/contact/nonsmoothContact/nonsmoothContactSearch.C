@@ -18,7 +18,7 @@ Foam::scalar equivalentRadius(const Foam::immersedBody& body)
 
     const Foam::scalar size = body.shape().volume();
 
-    return body.space().twoD()
+    return body.kind().space().twoD()
       ? Foam::sqrt(size/pi)
       : Foam::cbrt(0.75*size/pi);
 }
@@ -64,7 +64,7 @@ bool Foam::contactModels::nonsmoothContact::search
     {
         const candidate& c = candidates()[i];
         const immersedBody& a = bodies[movers_[c.a].body];
-        const geometricSpace& space = a.space();
+        const geometricSpace& space = a.kind().space();
         scalar radius = equivalentRadius(a);
 
         if (c.b >= 0)

@@ -141,7 +141,8 @@ void Foam::contactModels::nonsmoothContact::step
     place(bodies);
     for (contactMover& m : movers_)
     {
-        m.inverseInertia = bodies[m.body].inverseInertia(m.state);
+        m.inverseInertia =
+            contactMass::inverseInertia(bodies[m.body], m.state);
     }
     findTouches(bodies, walls);
 

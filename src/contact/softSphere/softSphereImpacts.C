@@ -10,7 +10,7 @@ Foam::point farthest(const Foam::immersedBody& body, const Foam::vector& n)
 {
     return body.shape().round()
       ? body.state().position + body.shape().boundingRadius()*n
-      : body.support(n);
+      : body.posed().support(n);
 }
 
 } // End anonymous namespace

@@ -65,7 +65,7 @@ bool Foam::contactModels::softSphere::search
         moverMaterials_.append
         (
             materials_.active()
-          ? materials_.number(bodies[m.body].material())
+          ? materials_.number(bodies[m.body].kind().material())
           : -1
         );
     }

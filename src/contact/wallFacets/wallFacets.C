@@ -149,7 +149,7 @@ Foam::scalar Foam::wallFacets::leastGap
 
         if (outside < least)
         {
-            const point lowest(body.support(-f.normal));
+            const point lowest(body.posed().support(-f.normal));
 
             least = min(least, max(outside, f.leastHeight(lowest)));
         }

@@ -45,7 +45,7 @@ void Foam::wallFacets::meetCorners
     pointField x(f.points);
     x.append(f.nearest(body.state().position));
     scalarField gaps(x.size());
-    body.distance(x, gaps);
+    body.posed().distance(x, gaps);
 
     for (const point& y : corners)
     {

@@ -23,7 +23,7 @@ point deepest(const immersedBody& body, const point& a, const point& b)
         vector n(Zero);
         UList<vector> normals(&n, 1);
 
-        body.normal(UList<point>(&x, 1), normals);
+        body.posed().normal(UList<point>(&x, 1), normals);
         return n & (b - a);
     };
 
@@ -82,7 +82,7 @@ bool Foam::wallFacets::meetFace
         return true;
     }
 
-    const point lowest(body.support(-f.normal));
+    const point lowest(body.posed().support(-f.normal));
 
     // No point of the facet is nearer than it is below the lowest of the body,
     // or deeper within the body
@@ -124,7 +124,7 @@ void Foam::wallFacets::meetEdges
         return
             n == vector::zero
           ? -GREAT
-          : mag(apart) - ((centre - body.support(-n)) & n);
+          : mag(apart) - ((centre - body.posed().support(-n)) & n);
     };
 
     const point near(f.nearest(centre));
@@ -149,7 +149,7 @@ void Foam::wallFacets::meetEdges
         }
 
         const point x(deepest(body, a, b));
-        const scalar gap = body.distance(x);
+        const scalar gap = body.posed().distance(x);
 
         if (gap < c.gap)
         {
@@ -164,7 +164,7 @@ void Foam::wallFacets::meetEdges
     }
 
     UList<vector> normals(&c.normal, 1);
-    body.normal(UList<point>(&c.position, 1), normals);
+    body.posed().normal(UList<point>(&c.position, 1), normals);
 }
 
 

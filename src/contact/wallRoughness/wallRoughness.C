@@ -100,13 +100,13 @@ Foam::vector Foam::wallRoughness::slope
 
     impacts_.set(number, impact);
 
-    const bool twoD = body.space().twoD();
+    const geometricSpace& space = body.kind().space();
     const scalar right = constant::mathematical::piByTwo;
     const vector along(U - (U & n)*n);
     const scalar a = Foam::atan2(U & n, mag(along));
 
     // Of one that comes straight, any direction
-    const vector any(twoD ? vector(n^body.space().emptyDir()) : across(n));
+    const vector any(space.twoD() ? vector(n^space.emptyDir()) : across(n));
     const vector t
     (
         mag(along) > SMALL*mag(U) ? vector(along/mag(along)) : any
@@ -115,7 +115,7 @@ Foam::vector Foam::wallRoughness::slope
     Random random(keyedRandom::generator(seed_, number, impact));
     const scalar g =
         draw(random, s, a, -a, Foam::sin(min(a + steepest*s, right)));
-    const scalar h = twoD ? 0 : draw(random, s, right, -right, 1);
+    const scalar h = space.twoD() ? 0 : draw(random, s, right, -right, 1);
 
     return
         Foam::cos(h)*(Foam::cos(g)*n + Foam::sin(g)*t) + Foam::sin(h)*(n^t);

@@ -59,7 +59,7 @@ void Foam::bodyWallDistance::add(const bodyRegion& region, scalarField& y)
     x -= region.shift();
 
     scalarField d(near.size());
-    body.distance(x, d);
+    body.posed().distance(x, d);
 
     // Models divide by the distance; in cells
     const scalar least = 0.1;

@@ -22,7 +22,7 @@ Foam::bodyTractions::bodyTractions
     {
         const bodyRegion& one = region.regions()[regioni];
         const immersedBody& body = bodies[one.body()];
-        const rigidAcceleration acceleration(body.acceleration(ddt));
+        const rigidAcceleration acceleration(body.motion().acceleration(ddt));
         tensor& surface = surface_[one.body()];
         tensor& inertia = inertia_[one.body()];
 

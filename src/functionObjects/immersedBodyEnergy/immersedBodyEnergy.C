@@ -84,7 +84,8 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
 
         translation += 0.5*r*body.volume()*magSqr(s.U);
         rotation += 0.5*r*(s.omega & body.inertia(s) & s.omega);
-        potential -= (r - 1)*body.volume()*(bodies.g() & body.unwrapped());
+        potential -=
+            (r - 1)*body.volume()*(bodies.g() & body.motion().unwrapped());
     }
 
     const contactEnergy contact(bodies.contacts().model().energy());

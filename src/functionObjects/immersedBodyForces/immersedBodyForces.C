@@ -46,7 +46,7 @@ void Foam::functionObjects::immersedBodyForces::writeRow
 {
     const scalar rho = bodies().rho();
 
-    writeVector(os, rho*body.fluidForce());
-    writeVector(os, rho*body.fluidTorque());
-    writeVector(os, rho*body.contactForce().linear);
+    writeVector(os, rho*body.fluid().force());
+    writeVector(os, rho*body.fluid().torque());
+    writeVector(os, rho*body.contact().force().linear);
 }

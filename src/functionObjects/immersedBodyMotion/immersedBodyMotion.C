@@ -75,6 +75,6 @@ void Foam::functionObjects::immersedBodyMotion::writeRow
     }
     if (bodies().periods().active())
     {
-        writeVector(os, body.unwrapped() + window.displacement());
+        writeVector(os, body.motion().unwrapped() + window.displacement());
     }
 }

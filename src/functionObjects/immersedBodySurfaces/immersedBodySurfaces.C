@@ -172,7 +172,7 @@ void Foam::functionObjects::immersedBodySurfaces::writeCellData
         radius[i] = b.shape().boundingRadius();
         U[i] = b.state().U;
         omega[i] = b.state().omega;
-        force[i] = bodies.rho()*b.fluidForce();
+        force[i] = bodies.rho()*b.fluid().force();
     }
 
     // Numbers last as long as the case runs, indices do not

@@ -82,12 +82,10 @@ void Foam::phaseSources::addBodies
         const immersedBody& body = bodies_[one.body()];
         const scalar r = body.densityRatio();
         const scalar Vb = max(fractions_.volume(one.body()), VSMALL);
-        const vector f(body.fluidForce()/bodies_.loads().nParts(one.body())/Vb);
+        const scalar nParts = bodies_.loads().nParts(one.body());
+        const vector f(body.fluid().force()/nParts/Vb);
         const symmTensor S(symm(tractions.surface(one.body()))/Vb);
-        const symmTensor C
-        (
-            contacts[one.body()]/bodies_.loads().nParts(one.body())/Vb
-        );
+        const symmTensor C(contacts[one.body()]/nParts/Vb);
 
         forAll(one.cells, i)
         {

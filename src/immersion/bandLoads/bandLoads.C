@@ -136,7 +136,7 @@ void Foam::bandLoads::add
     const vectorField& KU = sums_.KU();
     const bodyState& state = body.state();
     const vector moving(state.U + region.slideVelocity());
-    const rigidAcceleration acceleration(body.acceleration(ddt));
+    const rigidAcceleration acceleration(body.motion().acceleration(ddt));
 
     region.force.setSize(keepForces_ ? region.cells.size() : 0);
 

@@ -107,7 +107,7 @@ void Foam::bodyCellSizes::checkResolution
         if
         (
             body.resolved() && n <= least
-         && !body.isFixed() && body.passing().empty()
+         && !body.isFixed() && body.status().passing().empty()
         )
         {
             FatalIOErrorInFunction(dict)

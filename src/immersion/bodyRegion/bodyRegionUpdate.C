@@ -21,7 +21,7 @@ void Foam::bodyRegion::select
     const scalar hCap = hMax(body);
     const pointField allX(relative(centres, labels));
     scalarField allD(labels.size());
-    body.distance(allX, allD);
+    body.posed().distance(allX, allD);
 
     inBand.clear();
     x.clear();
@@ -40,7 +40,7 @@ void Foam::bodyRegion::select
     }
 
     n.setSize(inBand.size());
-    body.normal(x, n);
+    body.posed().normal(x, n);
 
     // Where the cells are thin along the normal the band is narrower
     label nKept = 0;

@@ -188,7 +188,7 @@ void Foam::bodySums::updateVelocity
         const immersedBody& body = bodies[region.body()];
         const bodyState& state = body.state();
         const vector U(state.U + region.slideVelocity());
-        const rigidAcceleration acceleration(body.acceleration(ddt));
+        const rigidAcceleration acceleration(body.motion().acceleration(ddt));
 
         forAll(region.cells, i)
         {

@@ -72,12 +72,13 @@ Foam::scalar Foam::comovingDerivative::partOf
 
     // In the last time step, as iterations change that in this one; but in the
     // first in which it moves there is no other
-    const vector last(farthest(body, body.oldOldState(), body.oldState()));
+    const bodyMotion& motion = body.motion();
+    const vector last(farthest(body, motion.oldOld(), motion.old()));
     const vector V
     (
         mag(last) > 0
       ? last/mesh_.time().deltaT0Value()
-      : farthest(body, body.oldState(), body.state())
+      : farthest(body, motion.old(), motion.now())
        /mesh_.time().deltaTValue()
     );
 
@@ -106,8 +107,8 @@ void Foam::comovingDerivative::findMoving
         (
             max
             (
-                farthest(body, body.oldState(), body.state()),
-                farthest(body, body.oldOldState(), body.state())
+                farthest(body, body.motion().old(), body.state()),
+                farthest(body, body.motion().oldOld(), body.state())
             )
           + mesh_.time().deltaTValue()*cmptMag(slide)
         );

@@ -28,8 +28,8 @@ void Foam::comovingDerivative::add
 )
 {
     const scalar fadeStart = fadeFrom*end;
-    const surfaceDisplacement s0(body, body.oldState());
-    const surfaceDisplacement s00(body, body.oldOldState());
+    const surfaceDisplacement s0(body, body.motion().old());
+    const surfaceDisplacement s00(body, body.motion().oldOld());
     const vector slide0(mesh_.time().deltaTValue()*slide);
     const vector slide00(slide0 + mesh_.time().deltaT0Value()*slide);
 

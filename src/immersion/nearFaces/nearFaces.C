@@ -69,7 +69,7 @@ void Foam::nearFaces::update
     }
 
     scalarField d(all_.size());
-    body.distance(centres_, d);
+    body.posed().distance(centres_, d);
 
     faces.clear();
     x.clear();

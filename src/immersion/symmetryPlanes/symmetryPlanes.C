@@ -29,9 +29,9 @@ Foam::scalar asymmetry
     for (const point& X : points)
     {
         const vector r(R & X);
-        const scalar d = body.distance(state.position + r);
+        const scalar d = body.posed().distance(state.position + r);
         const scalar image =
-            body.distance(state.position + r - 2*(n & r)*n);
+            body.posed().distance(state.position + r - 2*(n & r)*n);
 
         largest = max(largest, mag(d - image));
     }
@@ -127,7 +127,7 @@ Foam::scalar Foam::symmetryPlanes::bind
                 << exit(FatalIOError);
         }
 
-        body.keepOnPlane(n);
+        body.status().keepOnPlane(n);
         nParts *= 2;
     }
 

@@ -65,7 +65,7 @@ Foam::label Foam::bodyList::nAsleep() const
 
     for (const immersedBody& body : *this)
     {
-        n += body.asleep();
+        n += body.status().asleep();
     }
 
     return n;
@@ -104,7 +104,10 @@ Foam::scalar Foam::bodyList::contactSpeed() const
 
     for (const immersedBody& body : *this)
     {
-        speed = max(speed, body.contactSpeed());
+        speed = max
+        (
+            speed, body.contact().speed(body.shape().boundingRadius())
+        );
     }
 
     return speed;

@@ -32,7 +32,7 @@ Foam::scalar clearance
     }
     forAll(others, i)
     {
-        gap = Foam::min(gap, others[i].distance(x) - radius);
+        gap = Foam::min(gap, others[i].posed().distance(x) - radius);
     }
 
     return gap;
@@ -159,7 +159,7 @@ void Foam::bodyPlacement::place
     PtrList<immersedBody>& bodies
 ) const
 {
-    wordList valid(immersedBody::keywords);
+    wordList valid(bodyKind::keywords);
     valid.append(placements);
     valid.append(word("orientation"));
     valid.append(word("seed"));
@@ -192,6 +192,10 @@ void Foam::bodyPlacement::place
             positions(bodyDict, shape->boundingRadius(), bodies, random)
         );
         const bool turned = bodyOrientation::isRandom(bodyDict);
+        const auto kind = std::make_shared<const bodyKind>
+        (
+            bodyDict, shape, space_, rho_
+        );
 
         forAll(x, i)
         {
@@ -209,13 +213,7 @@ void Foam::bodyPlacement::place
               : bodyOrientation::read(bodyDict, space_)
             );
 
-            bodies.append
-            (
-                new immersedBody
-                (
-                    name, bodyDict, shape, space_, x[i], rho_, orientation
-                )
-            );
+            bodies.append(new immersedBody(name, kind, x[i], orientation));
         }
     }
 }

@@ -30,10 +30,8 @@ Foam::vectorField Foam::freeVelocities::get
 
     forFree(bodies, [&](const immersedBody& body)
     {
-        const Pair<vector> both(body.velocitiesWithoutContact());
-
-        velocities.append(both.first());
-        velocities.append(both.second());
+        velocities.append(body.state().U - body.contact().U());
+        velocities.append(body.state().omega - body.contact().omega());
     });
 
     return vectorField(std::move(velocities));
@@ -50,11 +48,11 @@ void Foam::freeVelocities::set
 
     forFree(bodies, [&](immersedBody& body)
     {
-        body.setVelocitiesWithoutContact
-        (
-            Pair<vector>(velocities[i], velocities[i + 1])
-        );
-        i += 2;
+        bodyState state(body.state());
+
+        state.U = velocities[i++] + body.contact().U();
+        state.omega = velocities[i++] + body.contact().omega();
+        body.setState(state);
     });
 }
 

@@ -1,73 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBody.H"
-#include "checkKeywords.H"
+
+namespace
+{
+
+//- State at the start
+Foam::bodyState startOf
+(
+    const Foam::bodyKind& kind,
+    const Foam::point& position,
+    const Foam::quaternion& orientation
+)
+{
+    Foam::bodyState state;
+
+    state.position = kind.space().inPlane(position);
+    state.orientation = orientation;
+    state.U = kind.U();
+    state.omega = kind.omega();
+
+    return state;
+}
+
+} // End anonymous namespace
+
 
 Foam::immersedBody::immersedBody
 (
     const word& name,
-    const dictionary& dict,
-    const std::shared_ptr<const bodyShape>& shape,
-    const geometricSpace& space,
+    const std::shared_ptr<const bodyKind>& kind,
     const point& position,
-    const scalar rho,
-    const quaternion& orientation
+    const quaternion& orientation,
+    const std::shared_ptr<const bodyOrigin>& origin
 )
 :
-    name_(name),
+    kind_(kind),
     number_(0),
-    shape_(shape),
-    space_(space),
-    densityRatio_(1),
-    freeU_(space.translation()),
-    freeOmega_(space.rotation()),
-    mirrored_(Zero),
-    fixed_(false),
-    material_(dict.lookupOrDefault("material", word::null)),
-    resolved_(true),
-    startPosition_(space.inPlane(position)),
-    startOrientation_(orientation),
-    time_(0),
-    deltaT_(0),
-    meshShift_(Zero),
-    asleep_(false),
-    ambientU_(false),
-    ambientOmega_(false),
-    wrapped_(Zero),
-    addedMass_(0),
-    contactForce_{Zero, Zero},
-    load_{Zero, Zero},
-    oldLoad_{Zero, Zero},
-    ddtMomentum_{Zero, Zero}
-{
-    state_.position = space.inPlane(position);
-    state_.orientation = orientation;
-
-    readMotion(dict);
-    readCoupling(dict);
-    readDensity(dict, rho);
-    restraints_ = bodyRestraint::readList(dict, space, rho, isFree());
-    restart();
-}
+    status_(kind->freedom(), kind->fixed()),
+    ambientU_(kind->ambientU()),
+    ambientOmega_(kind->ambientOmega()),
+    motion_(startOf(*kind, position, orientation)),
+    restrained_
+    (
+        kind->restrained() ? 1 : 0, Foam::restrainedMotion(motion_.now())
+    ),
+    name_(name),
+    origin_(origin)
+{}
 
 
 void Foam::immersedBody::hold()
 {
-    fixed_ = true;
-    freeU_ = freeOmega_ = Zero;
-    prescribed_.reset();
-    state_.U = state_.omega = Zero;
+    status_.fix();
+    motion_.stop();
     restart();
 }
 
 
 void Foam::immersedBody::setAsleep(const bool asleep)
 {
-    asleep_ = asleep;
+    status_.setAsleep(asleep);
 
     if (asleep)
     {
-        state_.U = state_.omega = Zero;
+        motion_.stop();
         restart();
     }
 }
@@ -75,125 +72,30 @@ void Foam::immersedBody::setAsleep(const bool asleep)
 
 void Foam::immersedBody::enter(const point& position, const bool ambient)
 {
-    passing_.clear();
+    status_.pass(word::null);
     ambientU_ = ambientOmega_ = ambient;
-    state_.position = space_.inPlane(position);
+    motion_.now().position = kind_->space().inPlane(position);
     restart();
 }
 
 
 void Foam::immersedBody::restart()
 {
-    old_ = oldOld_ = state_;
-    trendU_ = trendOmega_ = velocityTrend();
-    contactU_ = contactOmega_ = oldContactU_ = oldContactOmega_ = Zero;
-    contactForce_ = rigidMomentum{Zero, Zero};
-}
-
-
-bool Foam::immersedBody::isFree() const
-{
-    return
-        (passing_.empty() || !resolved_) && !asleep_
-     && (cmptMax(freeU_) > 0 || cmptMax(freeOmega_) > 0);
-}
-
-
-bool Foam::immersedBody::tumbles() const
-{
-    return
-        !resolved_ && !shape_->round() && isFree()
-     && cmptMin(freeOmega_) > 0.5;
+    motion_.restart();
+    contact_.restart();
 }
 
 
 bool Foam::immersedBody::isFixed() const
 {
-    return fixed_
-     || (
-            !isFree() && !prescribed_
-         && state_.U == vector::zero && state_.omega == vector::zero
-        );
-}
-
-
-Foam::tensor Foam::immersedBody::inertia(const bodyState& state) const
-{
-    // The same in all orientations, in which it can be
-    if (shape_->round())
-    {
-        return tensor(space_.depth()*shape_->inertia());
-    }
-
-    const tensor R(state.orientation.R());
-
-    return (R & tensor(space_.depth()*shape_->inertia()) & R.T());
-}
-
-
-Foam::pointField Foam::immersedBody::inBody(const UList<point>& x) const
-{
-    pointField X(x.size());
-
-    if (shape_->round())
-    {
-        // However it has turned
-        forAll(x, i)
-        {
-            X[i] = x[i] - state_.position;
-        }
-        return X;
-    }
-
-    const tensor toBody(state_.orientation.R().T());
-
-    forAll(x, i)
-    {
-        X[i] = toBody & (x[i] - state_.position);
-    }
-
-    return X;
-}
-
-
-void Foam::immersedBody::distance
-(
-    const UList<point>& x,
-    UList<scalar>& d
-) const
-{
-    shape_->distance(inBody(x), d);
-}
-
-
-void Foam::immersedBody::normal(const UList<point>& x, UList<vector>& n) const
-{
-    shape_->normal(inBody(x), n);
-
-    if (shape_->round())
-    {
-        return;
-    }
-
-    const tensor R(state_.orientation.R());
-
-    forAll(n, i)
-    {
-        n[i] = R & n[i];
-    }
-}
-
-
-Foam::scalar Foam::immersedBody::distance(const point& x) const
-{
-    return shape_->distance
-    (
-        state_.orientation.R().T() & (x - state_.position)
-    );
+    return
+        status_.fixed()
+     || (!isFree() && !isPrescribed() && motion_.now().still());
 }
 
 
 Foam::scalar Foam::immersedBody::maxSpeed(const vector& meshU) const
 {
-    return mag(state_.U - meshU) + shape_->boundingRadius()*mag(state_.omega);
+    return mag(state().U - meshU)
+      + shape().boundingRadius()*mag(state().omega);
 }

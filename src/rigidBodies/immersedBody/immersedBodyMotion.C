@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBody.H"
+#include "tumbling.H"
 
 namespace
 {
@@ -29,11 +30,11 @@ void Foam::immersedBody::setAmbient(const vector& U, const vector& omega)
 {
     if (ambientU_)
     {
-        state_.U = cmptMultiply(U, space_.translation());
+        motion_.now().U = cmptMultiply(U, kind_->space().translation());
     }
     if (ambientOmega_)
     {
-        state_.omega = cmptMultiply(omega, space_.rotation());
+        motion_.now().omega = cmptMultiply(omega, kind_->space().rotation());
     }
 
     restart();
@@ -43,26 +44,30 @@ void Foam::immersedBody::setAmbient(const vector& U, const vector& omega)
 
 void Foam::immersedBody::prescribe(const scalar t)
 {
-    time_ = t;
+    for (Foam::restrainedMotion& one : restrained_)
+    {
+        one.setTime(t);
 
-    if (restraints_)
-    {
-        checkRestraints(t);
+        for (const bodyRestraint& restraint : kind_->restraints())
+        {
+            restraint.check(t);
+        }
     }
-    if (prescribed_)
+    if (isPrescribed())
     {
-        setComponents(freeU_, prescribed_->velocity(t), state_.U);
-        setComponents
-        (
-            freeOmega_, prescribed_->angularVelocity(t), state_.omega
-        );
+        const prescribedMotion& given = *kind_->prescribed();
+        const bodyFreedom& free = status_.freedom();
+        bodyState& now = motion_.now();
+
+        setComponents(free.U(), given.velocity(t), now.U);
+        setComponents(free.omega(), given.angularVelocity(t), now.omega);
     }
 }
 
 
 void Foam::immersedBody::startPrescribed(const scalar t)
 {
-    if (prescribed_)
+    if (isPrescribed())
     {
         prescribe(t);
         restart();
@@ -72,61 +77,28 @@ void Foam::immersedBody::startPrescribed(const scalar t)
 
 void Foam::immersedBody::beginStep(const scalar ratio, const bool bent)
 {
-    oldOld_ = old_;
-    old_ = state_;
-    oldEddy_ = eddy_;
-    oldLoad_ = load_;
-    oldContactU_ = contactU_;
-    oldContactOmega_ = contactOmega_;
-    contactU_ = contactOmega_ = Zero;
-    contactForce_ = rigidMomentum{Zero, Zero};
+    motion_.begin();
+    fluid_.begin();
+    contact_.begin();
 
     if (isFree())
     {
-        state_.U += trendU_.next(ratio, bent);
-        state_.omega += trendOmega_.next(ratio, bent);
+        motion_.extrapolate(ratio, bent);
     }
 }
 
 
 void Foam::immersedBody::endStep(const scalar ratio, const bool bent)
 {
-    // Contact comes and goes
-    trendU_.note
-    (
-        state_.U - contactU_ - old_.U,
-        ratio*(old_.U - oldContactU_ - oldOld_.U),
-        ratio,
-        bent
-    );
-    trendOmega_.note
-    (
-        state_.omega - contactOmega_ - old_.omega,
-        ratio*(old_.omega - oldContactOmega_ - oldOld_.omega),
-        ratio,
-        bent
-    );
+    motion_.end(contact_, ratio, bent);
 }
 
 
 void Foam::immersedBody::undoStep()
 {
-    state_ = old_;
-    old_ = oldOld_;
-    eddy_ = oldEddy_;
-    load_ = oldLoad_;
-    contactU_ = oldContactU_;
-    contactOmega_ = oldContactOmega_;
-}
-
-
-void Foam::immersedBody::keepOnPlane(const vector& n)
-{
-    const vector axis(cmptMag(n));
-
-    freeU_ = cmptMultiply(freeU_, vector::one - axis);
-    freeOmega_ = cmptMultiply(freeOmega_, axis);
-    mirrored_ = max(mirrored_, axis);
+    motion_.undo();
+    fluid_.undo();
+    contact_.undo();
 }
 
 
@@ -137,78 +109,67 @@ void Foam::immersedBody::predictPose
     const vector& meshShift
 )
 {
-    clearContact();
+    const bodyState& old = motion_.old();
+    bodyState& now = motion_.now();
 
-    deltaT_ = dt;
-    meshShift_ = meshShift;
+    // Without contact
+    now.U -= contact_.U();
+    now.omega -= contact_.omega();
+    contact_.clear();
 
-    bodyState end(old_);
+    for (Foam::restrainedMotion& one : restrained_)
+    {
+        one.setStep(dt, meshShift);
+    }
+
+    bodyState end(old);
     end.move
     (
         dt,
-        0.5*(state_.U + old_.U) - meshU,
-        0.5*(state_.omega + old_.omega)
+        0.5*(now.U + old.U) - meshU,
+        0.5*(now.omega + old.omega)
     );
 
-    turnTo(tumbles() ? tumbled(dt) : end.orientation);
-    state_.position = end.position;
-}
-
-
-Foam::quaternion Foam::immersedBody::tumbled(const scalar dt) const
-{
-    const vector L0(inertia(old_) & old_.omega);
-    const vector L1(inertia(state_) & state_.omega);
-    const scalar fastest = max(mag(old_.omega), mag(state_.omega));
-    const label n = 1 + min(label(10*dt*fastest), label(1000));
-    const scalar h = dt/n;
-    bodyState at(old_);
-
-    // With the spin in the middle of each part
-    for (label i = 0; i < n; ++i)
-    {
-        const vector L(L0 + (i + 0.5)/n*(L1 - L0));
-        bodyState middle(at);
-
-        middle.move(0.5*h, Zero, inv(inertia(at)) & L);
-        at.move(h, Zero, inv(inertia(middle)) & L);
-    }
-
-    return at.orientation;
+    turnTo
+    (
+        tumbles()
+      ? tumbling::orientation(*kind_, motion_, dt)
+      : end.orientation
+    );
+    now.position = end.position;
 }
 
 
 void Foam::immersedBody::turnTo(const quaternion& orientation)
 {
-    if (!tumbles())
+    if (tumbles())
     {
-        state_.orientation = orientation;
-        return;
+        tumbling::turn(*kind_, orientation, motion_.now());
     }
-
-    const vector L(inertia(state_) & state_.omega);
-
-    state_.orientation = orientation;
-    state_.omega = inv(inertia(state_)) & L;
-}
-
-
-Foam::rigidAcceleration
-Foam::immersedBody::acceleration(const ddtCoefficients& ddt) const
-{
-    return rigidAcceleration
+    else
     {
-        ddt(state_.U, old_.U, oldOld_.U),
-        ddt(state_.omega, old_.omega, oldOld_.omega),
-        state_.omega
-    };
+        motion_.now().orientation = orientation;
+    }
 }
 
 
 Foam::rigidMomentum
-Foam::immersedBody::momentum(const bodyState& state) const
+Foam::immersedBody::ddtMomentum(const ddtCoefficients& ddt) const
 {
-    return rigidMomentum{volume()*state.U, inertia(state) & state.omega};
+    const auto momentum = [&](const bodyState& state)
+    {
+        return rigidMomentum
+        {
+            volume()*state.U, inertia(state) & state.omega
+        };
+    };
+
+    return ddt
+    (
+        momentum(motion_.now()),
+        momentum(motion_.old()),
+        momentum(motion_.oldOld())
+    );
 }
 
 
@@ -219,7 +180,7 @@ void Foam::immersedBody::wrap
     const scalar dt
 )
 {
-    if (prescribed_ && velocity != vector::zero)
+    if (isPrescribed() && velocity != vector::zero)
     {
         FatalErrorInFunction
             << "The body '" << name_ << "', whose motion is prescribed, has"
@@ -227,14 +188,5 @@ void Foam::immersedBody::wrap
             << " with constraints" << nl << exit(FatalError);
     }
 
-    // Where the shift was at the earlier times
-    state_.position += shift;
-    old_.position += shift - dt*velocity;
-    oldOld_.position += shift - 2*dt*velocity;
-    wrapped_ -= shift;
-
-    for (bodyState* state : {&state_, &old_, &oldOld_})
-    {
-        state->U += velocity;
-    }
+    motion_.wrap(shift, velocity, dt);
 }

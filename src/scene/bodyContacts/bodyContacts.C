@@ -60,7 +60,7 @@ void Foam::bodyContacts::advance
 
     for (immersedBody& body : bodies)
     {
-        body.setAddedMass(addedMass_);
+        body.contact().setAddedMass(addedMass_);
     }
 
     model_->advance(bodies, h, walls_(), periodicity_, dt, meshU);

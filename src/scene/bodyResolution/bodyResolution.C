@@ -54,7 +54,7 @@ void Foam::bodyResolution::findAtSurfaces()
 
         if (!coupling().resolves(body, h_[bodyi]) && body.resolved())
         {
-            body.setResolved(false);
+            body.status().setResolved(false);
             h_[bodyi] = atCentre[bodyi];
         }
     }
@@ -78,7 +78,7 @@ void Foam::bodyResolution::start(const bool restarted)
         // What the mesh decided on in the previous run stays
         if (!restarted || coupling().type(body) != "auto")
         {
-            body.setResolved(coupling().resolves(body, h_[bodyi]));
+            body.status().setResolved(coupling().resolves(body, h_[bodyi]));
         }
     }
 
@@ -167,7 +167,7 @@ void Foam::bodyResolution::select(volVectorField& U)
         immersedBody& body = bodies_[bodyi];
 
         // Not while it enters or leaves, where a part has no cells
-        if (sizes[bodyi] <= 0 || body.passing().size())
+        if (sizes[bodyi] <= 0 || body.status().passing().size())
         {
             continue;
         }
@@ -178,7 +178,7 @@ void Foam::bodyResolution::select(volVectorField& U)
 
         if (resolve != body.resolved())
         {
-            body.setResolved(resolve);
+            body.status().setResolved(resolve);
             (resolve ? resolved : unresolved).append(bodyi);
         }
     }
@@ -234,7 +234,7 @@ Foam::scalar Foam::bodyResolution::resolve
 
     const scalar h = bodyCellSizes::at(body, {largest[0], largest[1]});
 
-    body.setResolved(coupling().resolves(body, max(h, largest[2])));
+    body.status().setResolved(coupling().resolves(body, max(h, largest[2])));
 
     return body.resolved() ? h : largest[2];
 }

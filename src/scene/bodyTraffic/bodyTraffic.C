@@ -38,7 +38,7 @@ void Foam::bodyTraffic::hold()
 
         passage_.table().add
         (
-            body, "held", body.passing(), window_.displacement()
+            body, "held", body.status().passing(), window_.displacement()
         );
         body.hold();
     }
@@ -62,7 +62,7 @@ bool Foam::bodyTraffic::leave()
             continue;
         }
 
-        if (body.passing().empty())
+        if (body.status().passing().empty())
         {
             Info<< "Body " << body.name() << " has left the mesh at "
                 << body.state().position + window_.displacement()
@@ -73,7 +73,7 @@ bool Foam::bodyTraffic::leave()
 
         passage_.table().add
         (
-            body, "leaves", body.passing(), window_.displacement()
+            body, "leaves", body.status().passing(), window_.displacement()
         );
         passage_.take(bodies_.take(bodyi));
         changed = true;

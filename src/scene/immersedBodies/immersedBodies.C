@@ -52,7 +52,7 @@ bool movesThroughMesh(const Foam::PtrList<Foam::immersedBody>& bodies)
 {
     for (const Foam::immersedBody& body : bodies)
     {
-        if (body.isFree() || body.asleep() || !body.isFixed())
+        if (body.isFree() || body.status().asleep() || !body.isFixed())
         {
             return true;
         }

@@ -26,7 +26,7 @@ void Foam::immersedBodies::checkInside() const
         (
             search.findCell(region.centre(body.state())) >= 0
          || (
-                (body.isFixed() || body.passing().size())
+                (body.isFixed() || body.status().passing().size())
              && !region.cells.empty()
             )
         )

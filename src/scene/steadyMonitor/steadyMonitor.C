@@ -105,7 +105,7 @@ void Foam::steadyMonitor::update
         const immersedBody& body = bodies[bodyi];
         const scalar R = body.shape().boundingRadius();
         const vector rim(R*body.state().omega);
-        const vector force(body.fluidForce());
+        const vector force(body.fluid().force());
         const scalar load = max(mag(force), nu*speed*body.volume()/sqr(R));
         vector* old = &values_[4*bodyi];
 
@@ -124,7 +124,7 @@ void Foam::steadyMonitor::update
         take(old[0], body.state().U, speed, "velocity");
         take(old[1], rim, speed, "spin");
         take(old[2], force, load, "force");
-        take(old[3], body.fluidTorque()/R, load, "torque");
+        take(old[3], body.fluid().torque()/R, load, "torque");
 
         const scalar crossing = mag(body.state().U - meshU)
           + (body.shape().round() ? 0 : mag(rim));

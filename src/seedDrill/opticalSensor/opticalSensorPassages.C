@@ -20,7 +20,7 @@ void Foam::functionObjects::opticalSensor::trackBodies()
             body.number(),
             trace
             {
-                body.unwrapped() + displacement,
+                body.motion().unwrapped() + displacement,
                 body.state().U,
                 bodies_.space().twoD() ? Foam::sqrt(V) : Foam::cbrt(0.75*V),
                 body.name()
@@ -149,7 +149,7 @@ bool Foam::functionObjects::opticalSensor::execute()
             follow
             (
                 body.number(),
-                body.unwrapped() + displacement,
+                body.motion().unwrapped() + displacement,
                 body.state().U,
                 passages
             );

@@ -131,7 +131,7 @@ Foam::string Foam::stokesBodies::setPoses
 {
     forAll(bodies_, bodyi)
     {
-        bodyState state(bodies_[bodyi].oldState());
+        bodyState state(bodies_[bodyi].motion().old());
 
         state.position = space_.inPlane(x[bodyi]);
 

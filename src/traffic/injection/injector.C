@@ -32,7 +32,7 @@ Foam::injector::injector
     seed_(isRandom(dict) ? dict.get<label>("seed") : 0),
     gap_(dict.lookupOrDefault<scalar>("gap", 0)),
     maxTries_(label(keywords::positiveOr(dict, "tries", 20))),
-    shapeNumber_(-1),
+    kindNumber_(-1),
     tries_(0)
 {
     wordList valid(schedule_.keywords());
@@ -148,20 +148,19 @@ std::shared_ptr<const Foam::bodyShape> Foam::injector::scaledShape
 }
 
 
-Foam::autoPtr<Foam::immersedBody> Foam::injector::draw()
+void Foam::injector::setKind(const label number, const scalar size)
 {
-    const label number = schedule_.next();
-    const scalar size = value(size_, "size", SIZE);
+    kindNumber_ = number;
 
-    if (!shape_ || (size_.valid() && number != shapeNumber_))
+    if (kind_ && !size_.valid() && !density_.valid())
+    {
+        // All are of one kind
+        return;
+    }
+    if (!shape_ || size_.valid())
     {
         shape_ = scaledShape(size);
-        shapeNumber_ = number;
     }
-
-    Random places(keyedRandom::generator(seed_, number, PLACE + tries_));
-    Random turns(keyedRandom::generator(seed_, number, ORIENTATION));
-    ++tries_;
 
     dictionary dict(dict_);
 
@@ -170,25 +169,40 @@ Foam::autoPtr<Foam::immersedBody> Foam::injector::draw()
         dict.set(densityKey_, value(density_, densityKey_, DENSITY));
     }
 
-    autoPtr<immersedBody> body
+    kind_ = std::make_shared<const bodyKind>(dict, shape_, space_, rho_);
+}
+
+
+Foam::autoPtr<Foam::immersedBody> Foam::injector::draw()
+{
+    const label number = schedule_.next();
+    const scalar size = value(size_, "size", SIZE);
+
+    if (number != kindNumber_)
+    {
+        setKind(number, size);
+    }
+
+    Random places(keyedRandom::generator(seed_, number, PLACE + tries_));
+    Random turns(keyedRandom::generator(seed_, number, ORIENTATION));
+    ++tries_;
+
+    return autoPtr<immersedBody>
     (
         new immersedBody
         (
             name_ + Foam::name(number + 1),
-            dict,
-            shape_,
-            space_,
+            kind_,
             place_.position(number, shape_->boundingRadius(), places),
-            rho_,
             bodyOrientation::isRandom(dict_)
           ? bodyOrientation::draw(turns, space_)
-          : bodyOrientation::read(dict_, space_)
+          : bodyOrientation::read(dict_, space_),
+            std::make_shared<const bodyOrigin>
+            (
+                name_, size, kind_->densityRatio()
+            )
         )
     );
-
-    body->setOrigin(bodyOrigin(name_, size, body->densityRatio()));
-
-    return body;
 }
 
 

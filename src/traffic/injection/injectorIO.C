@@ -8,25 +8,31 @@ Foam::autoPtr<Foam::immersedBody> Foam::injector::remake
     const bodyOrigin& origin
 ) const
 {
-    dictionary dict(dict_);
-    dict.remove("density");
-    dict.set("densityRatio", origin.densityRatio);
+    std::shared_ptr<const bodyKind> kind(kind_);
 
-    autoPtr<immersedBody> body
-    (
-        new immersedBody
+    if (size_.valid() || origin.densityRatio != kind->densityRatio())
+    {
+        dictionary dict(dict_);
+        dict.remove("density");
+        dict.set("densityRatio", origin.densityRatio);
+
+        kind = std::make_shared<const bodyKind>
         (
-            name,
             dict,
             size_.valid() ? scaledShape(origin.size) : shape_,
             space_,
-            point::zero,
             rho_
+        );
+    }
+
+    return autoPtr<immersedBody>
+    (
+        new immersedBody
+        (
+            name, kind, point::zero, quaternion::I,
+            std::make_shared<const bodyOrigin>(origin)
         )
     );
-    body->setOrigin(origin);
-
-    return body;
 }
 
 

@@ -186,7 +186,7 @@ Foam::labelList Foam::bodyPassage::touch
             // Not while the last of it is beyond the patch
             if (loads[bodyi].volume > 0.5*body.volume())
             {
-                body.pass(word::null);
+                body.status().pass(word::null);
             }
             continue;
         }
@@ -195,7 +195,7 @@ Foam::labelList Foam::bodyPassage::touch
 
         if (what != leavingRules::action::stop)
         {
-            body.pass(mesh_.boundaryMesh()[patches[bodyi]].name());
+            body.status().pass(mesh_.boundaryMesh()[patches[bodyi]].name());
         }
         if (what == leavingRules::action::hold)
         {
@@ -210,11 +210,14 @@ Foam::labelList Foam::bodyPassage::touch
 void Foam::bodyPassage::take(autoPtr<immersedBody> body)
 {
     const leavingRules::rule& rule =
-        leaving_[mesh_.boundaryMesh().findPatchID(body->passing())];
+        leaving_[mesh_.boundaryMesh().findPatchID(body->status().passing())];
 
     departed_.append
     (
-        bodyDeparture{body->number(), body->unwrapped(), body->state().U}
+        bodyDeparture
+        {
+            body->number(), body->motion().unwrapped(), body->state().U
+        }
     );
 
     if (rule.what == leavingRules::action::reinject)

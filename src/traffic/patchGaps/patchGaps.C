@@ -47,7 +47,7 @@ Foam::scalar Foam::patchGaps::gap
     x -= shift;
 
     scalarField d(x.size());
-    body.distance(x, d);
+    body.posed().distance(x, d);
 
     return min(d);
 }

@@ -28,7 +28,7 @@ Foam::boolList walls(const Foam::polyBoundaryMesh& patches)
 //  overlap them
 bool isObstacle(const Foam::immersedBody& body)
 {
-    return body.isFixed() && !body.asleep();
+    return body.isFixed() && !body.status().asleep();
 }
 
 

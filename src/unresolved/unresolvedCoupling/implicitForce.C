@@ -41,9 +41,9 @@ Foam::grainForce Foam::unresolvedMotion::implicitForce
 
     grainForce force;
 
-    if (cmptMax(body.freedom()) < 0.5)
+    if (!body.isFree() || body.status().freedom().U() == vector::zero)
     {
-        const vector dUdt(body.acceleration(ddt).linear);
+        const vector dUdt(body.motion().acceleration(ddt).linear);
 
         force.k = k;
         force.v = V_;
@@ -55,7 +55,10 @@ Foam::grainForce Foam::unresolvedMotion::implicitForce
     // m c U = m c U0 + k u + V a + others
     const scalar r = body.densityRatio();
     const scalar mc = (r*V_ + added)*ddt.c;
-    const vector history(ddt.c*body.state().U - body.acceleration(ddt).linear);
+    const vector history
+    (
+        ddt.c*body.state().U - body.motion().acceleration(ddt).linear
+    );
     const vector others
     (
         rest + (r - 1)*V_*g + body.contactTerm(ddt).linear

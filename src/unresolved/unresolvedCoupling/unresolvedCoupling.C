@@ -15,7 +15,7 @@ const Foam::word& Foam::unresolvedCoupling::type
     const immersedBody& body
 ) const
 {
-    return body.coupling().empty() ? type_ : body.coupling();
+    return body.kind().coupling().empty() ? type_ : body.kind().coupling();
 }
 
 
@@ -90,7 +90,7 @@ void Foam::unresolvedCoupling::check
         checkDense(body);
     }
 
-    if (body.restrained() && type(body) != "resolved")
+    if (body.kind().restrained() && type(body) != "resolved")
     {
         FatalErrorInFunction
             << "'restraints' in immersedBodyProperties need bodies that are"

@@ -71,7 +71,10 @@ void Foam::unresolvedCoupling::checkDense(const immersedBody& body) const
             << type(body) << "'" << nl << exit(FatalIOError);
     }
 
-    const vector free(body.freedom());
+    const vector free
+    (
+        body.isFree() ? body.status().freedom().U() : vector::zero
+    );
 
     if (cmptMax(free) != cmptMin(free))
     {

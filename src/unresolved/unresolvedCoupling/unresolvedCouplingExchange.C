@@ -94,7 +94,7 @@ Foam::vector Foam::unresolvedCoupling::fluctuation
     }
 
     // From the start of the step in each iteration
-    turbulentEddy eddy(body.oldEddy());
+    turbulentEddy eddy(body.fluid().oldEddy());
     const vector mean
     (
         dispersion_->advance
@@ -103,12 +103,12 @@ Foam::vector Foam::unresolvedCoupling::fluctuation
             body.number(),
             fluid.k(),
             fluid.epsilon(),
-            fluid.velocity(fluid.gradient()) - body.oldState().U,
+            fluid.velocity(fluid.gradient()) - body.motion().old().U,
             mesh_.time().deltaTValue()
         )
     );
 
-    body.setEddy(eddy);
+    body.fluid().setEddy(eddy);
 
     return mean;
 }
@@ -168,13 +168,15 @@ void Foam::unresolvedCoupling::giveCorrections
         return;
     }
 
-    List<immersedBody::correction> all(bodies.size());
+    List<correction> all(bodies.size());
 
     forAll(all, i)
     {
         if (share_.mine(i))
         {
-            all[i] = bodies[i].corrected();
+            const bodyState& state = bodies[i].state();
+
+            all[i] = correction{state.U, state.omega, bodies[i].fluid()};
         }
     }
 
@@ -184,7 +186,12 @@ void Foam::unresolvedCoupling::giveCorrections
     {
         if (!share_.mine(i) && !bodies[i].resolved() && grains_[i].inside)
         {
-            bodies[i].correctTo(all[i]);
+            bodyState state(bodies[i].state());
+
+            state.U = all[i].U;
+            state.omega = all[i].omega;
+            bodies[i].setState(state);
+            bodies[i].fluid() = all[i].fluid;
         }
     }
 }
@@ -200,7 +207,7 @@ void Foam::unresolvedCoupling::addLoads
     forAll(bodies, bodyi)
     {
         const bodyKernel& kernel = grains_[bodyi].kernel;
-        const vector P(factor*bodies[bodyi].load().linear);
+        const vector P(factor*bodies[bodyi].fluid().load().linear);
 
         forAll(kernel.cells, i)
         {

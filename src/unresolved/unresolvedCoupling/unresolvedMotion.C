@@ -43,7 +43,7 @@ Foam::unresolvedMotion::unresolvedMotion
     void_(1),
     pressure_(Zero),
     response_(dense.active ? 0 : fluid.crowd()/ddt.c),
-    oldLoad_(body.load().linear),
+    oldLoad_(body.fluid().load().linear),
     lift_(Zero)
 {
     const scalar own = V_*fluid.selfKernel();
@@ -139,7 +139,7 @@ Foam::vector Foam::unresolvedMotion::slip
 )
 {
     // Slip if there were no drag, and how much of it a drag takes
-    const vector dUdt(body.acceleration(ddt).linear);
+    const vector dUdt(body.motion().acceleration(ddt).linear);
     const scalar r = body.densityRatio();
     vector P(1.5*V_*(dUdt - DuDt_) - lift);
     vector U(body.state().U);

@@ -57,8 +57,9 @@ Foam::scalar Foam::resistanceModels::distanceWeighted::crossing
     // A wall closer than this to the cell centre changes nothing any more
     const scalar thetaMin = 1e-3;
 
-    scalar lower = 0, dLower = body.distance(outside);
-    scalar upper = 1, dUpper = body.distance(inside);
+    const posedShape shape(body.posed());
+    scalar lower = 0, dLower = shape.distance(outside);
+    scalar upper = 1, dUpper = shape.distance(inside);
     scalar theta = 0;
 
     // Regula falsi: few steps suffice for a distance, linear but for curvature
@@ -66,7 +67,7 @@ Foam::scalar Foam::resistanceModels::distanceWeighted::crossing
     {
         theta = lower + (upper - lower)*dLower/(dLower - dUpper);
 
-        const scalar d = body.distance(outside + theta*(inside - outside));
+        const scalar d = shape.distance(outside + theta*(inside - outside));
 
         if (d > 0)
         {
@@ -98,7 +99,7 @@ Foam::scalar Foam::resistanceModels::distanceWeighted::areaInside
 {
     const pointField x(pointField(mesh_.points(), f) - shift);
     scalarField d(x.size());
-    body.distance(x, d);
+    body.posed().distance(x, d);
 
     if (min(d) > 0 || max(d) <= 0)
     {
@@ -207,7 +208,7 @@ void Foam::resistanceModels::distanceWeighted::setResistance
         const label i = indexOf_[celli];
         const point x(y - region.shift());
 
-        if (i >= 0 && region.distance[i] > 0 && body.distance(x) <= 0)
+        if (i >= 0 && region.distance[i] > 0 && body.posed().distance(x) <= 0)
         {
             const scalar theta =
                 crossing(body, centres[celli] - region.shift(), x);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyTools.H"
+#include "bodyRegions.H"
+
+using namespace Foam;
+using namespace bodyTools;
+
+namespace
+{
+
+const scalar bandWidth = 3;
+
+//- More spheres of the diameter 1 than lists begin with, each half a radius
+//  farther from the next along x, of which each third is not resolved
+PtrList<immersedBody> row()
+{
+    PtrList<immersedBody> bodies;
+
+    for (label i = 0; i < 40; ++i)
+    {
+        bodies.append(new immersedBody(makeBody
+        (
+            "densityRatio 2;", bodyTools::space, 1, point(0.25*i + 0.1, 0, 0)
+        )));
+        bodies[i].status().setResolved(i % 3 != 2);
+    }
+
+    return bodies;
+}
+
+
+//- A box from 0 to 10 along x that is periodic there
+periodicity periods()
+{
+    periodicity box;
+
+    box.add({10, 0, 0}, {1, 0, 0}, point::zero);
+    box.setLocal(pointField({{0, 0, 0}, {10, 0, 0}}));
+
+    return box;
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("Regions are those of resolved bodies, then images", "[bodyRegions]")
+{
+    const periodicity box(periods());
+    PtrList<immersedBody> bodies(row());
+    bodyRegions regions(box);
+
+    CHECK_FALSE(regions.complete(bodies));
+    regions.update(bodies, bandWidth);
+    REQUIRE(regions.complete(bodies));
+
+    label n = 0;
+    forAll(bodies, i)
+    {
+        if (bodies[i].resolved())
+        {
+            CHECK(&regions[i] == &regions.all()[n]);
+            CHECK(regions.all()[n].body() == i);
+            CHECK(regions.all()[n++].shift() == vector::zero);
+        }
+    }
+
+    // At both ends of the box
+    REQUIRE(regions.all().size() > n);
+    for (; n < regions.all().size(); ++n)
+    {
+        const bodyRegion& image = regions.all()[n];
+        const scalar x = image.centre(bodies[image.body()].state()).x();
+
+        CHECK(mag(image.shift()) == testTools::near(10));
+        CHECK(min(mag(x), mag(x - 10)) < 2);
+    }
+}
+
+
+TEST_CASE("Regions follow the bodies that are resolved", "[bodyRegions]")
+{
+    const periodicity box(periods());
+    PtrList<immersedBody> bodies(row());
+    bodyRegions regions(box);
+
+    regions.update(bodies, bandWidth);
+
+    const label nBefore = regions.all().size();
+    const bodyRegion* kept = &regions[21];
+
+    SECTION("one that is not any more")
+    {
+        bodies[19].status().setResolved(false);
+        CHECK_FALSE(regions.complete(bodies));
+
+        regions.update(bodies, bandWidth);
+        CHECK(regions.complete(bodies));
+        CHECK(regions.all().size() == nBefore - 1);
+    }
+    SECTION("one that is from now on")
+    {
+        bodies[20].status().setResolved(true);
+        CHECK_FALSE(regions.complete(bodies));
+
+        regions.update(bodies, bandWidth);
+        CHECK(regions.complete(bodies));
+        CHECK(regions.all().size() == nBefore + 1);
+        CHECK(regions[20].body() == 20);
+    }
+    SECTION("one that has been taken out with its image")
+    {
+        regions.remove(0);
+        CHECK(regions.all().size() == nBefore - 2);
+        CHECK(&regions[20] == kept);
+        return;
+    }
+
+    CHECK(&regions[21] == kept);
+}
