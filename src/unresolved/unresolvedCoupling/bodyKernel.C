@@ -45,6 +45,7 @@ Foam::bodyKernel::bodyKernel()
     searchCentre_(Zero),
     searchRadius_(0),
     searchMargin_(-1),
+    centre_(Zero),
     centreCell(-1),
     nBeside(0),
     hBeside(0)
@@ -58,7 +59,6 @@ void Foam::bodyKernel::clear()
     nearImage_.clear();
     cells.clearStorage();
     image.clearStorage();
-    r.clearStorage();
     weight.clearStorage();
     searchMargin_ = -1;
     centreCell = -1;
@@ -138,13 +138,14 @@ void Foam::bodyKernel::update
     }
 
     const fvMesh& mesh = search.mesh();
+    const pointField& C = mesh.cellCentres();
     scalar nearest = GREAT;
     label nearesti = -1;
 
     cells.clear();
     image.clear();
-    r.clear();
     weight.clear();
+    centre_ = x;
     centreCell = -1;
     nBeside = 0;
     hBeside = 0;
@@ -152,7 +153,7 @@ void Foam::bodyKernel::update
     forAll(near_, i)
     {
         const vector& shift = images_[nearImage_[i]].shift;
-        const vector ri(mesh.cellCentres()[near_[i]] - x - shift);
+        const vector ri(C[near_[i]] - x - shift);
         const scalar s = magSqr(ri)/sqr(R);
 
         if (s >= 1)
@@ -166,7 +167,6 @@ void Foam::bodyKernel::update
             nearesti = cells.size();
         }
         cells.append(near_[i]);
-        r.append(ri);
         image.append(nearImage_[i]);
         weight.append(sqr(1 - s));
     }
@@ -176,7 +176,7 @@ void Foam::bodyKernel::update
         return search.contains
         (
             cells[i],
-            mesh.cellCentres()[cells[i]] - r[i]
+            C[cells[i]] - r(i, C)
         );
     };
 
@@ -189,7 +189,7 @@ void Foam::bodyKernel::update
 
     forAll(cells, i)
     {
-        if (mag(r[i]) < search.hMax(cells[i]) && holds(i))
+        if (mag(r(i, C)) < search.hMax(cells[i]) && holds(i))
         {
             centreCell = cells[i];
             return;
@@ -204,7 +204,6 @@ void Foam::bodyKernel::update
     if (centreCell >= 0 && cells.empty())
     {
         cells.append(centreCell);
-        r.append(mesh.cellCentres()[centreCell] - x);
         image.append(0);
         weight.append(1);
     }
@@ -219,8 +218,8 @@ void Foam::bodyKernel::update
 
         if
         (
-            mag(r[i]) < h
-         && isBeside(mesh, cells[i], h, mesh.cellCentres()[cells[i]] - r[i])
+            mag(r(i, C)) < h
+         && isBeside(mesh, cells[i], h, C[cells[i]] - r(i, C))
         )
         {
             ++nBeside;

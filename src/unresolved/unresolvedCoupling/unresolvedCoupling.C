@@ -60,7 +60,7 @@ Foam::scalar Foam::unresolvedCoupling::largestCell
     {
         const scalar h = search_.hMax(kernel.cells[i]);
 
-        if (mag(kernel.r[i]) < radius + 0.5*h)
+        if (mag(kernel.r(i, mesh_.cellCentres())) < radius + 0.5*h)
         {
             largest = max(largest, h);
         }

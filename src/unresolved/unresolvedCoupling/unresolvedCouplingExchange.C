@@ -11,6 +11,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 ) const
 {
     const scalarField& V = mesh_.V();
+    const pointField& C = mesh_.cellCentres();
     const volVectorField& U = flow.U;
     const vectorField& U0 = U.oldTime();
     const vectorField& U00 = ddt.c00 != 0 ? U.oldTime().oldTime() : U0;
@@ -29,7 +30,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
             samples[bodyi].add
             (
                 weight,
-                kernel.r[i],
+                kernel.r(i, C),
                 U[celli] - kernel.imageU(i),
                 flow.ddtU
               ? (*flow.ddtU)[celli]
