@@ -105,31 +105,46 @@ void Foam::momentumEquation::addBodies(const vectorField& drive)
         source_[celli] = source[celli];
         source[celli] -= V[celli]*drive[celli];
     }
-    bands_.penalise(A_(), drive, eqn_.ref());
+    bands_.penalise(drive, eqn_.ref());
 }
 
 
 void Foam::momentumEquation::removeBodies()
 {
-    bands_.unpenalise(eqn_.ref());
+    bands_.restore(eqn_.ref());
     eqn_.ref().source().swap(source_);
+}
+
+
+Foam::SolverPerformance<Foam::vector> Foam::momentumEquation::callSolver
+(
+    const dictionary& controls
+)
+{
+    if (!vectorSmoothSolver::serves(controls))
+    {
+        bands_.scaleRows(A_(), eqn_.ref());
+
+        return eqn_->solve(controls);
+    }
+
+    autoPtr<vectorSmoothSolver> solver
+    (
+        vectorSmoothSolver::New(eqn_(), U_, controls)
+    );
+
+    solver->weigh(bodies_.region().cells(), bands_.weights(A_()));
+
+    return solver->solve(controls);
 }
 
 
 void Foam::momentumEquation::solveLinear(const bool first)
 {
-    fvVectorMatrix& eqn = eqn_.ref();
     const dictionary& solver = U_.mesh().solver(U_.select(true));
-    const auto solve = [&](const dictionary& controls)
-    {
-        return vectorSmoothSolver::serves(controls)
-          ? vectorSmoothSolver::New(eqn, U_, controls)->solve(controls)
-          : eqn.solve(controls);
-    };
-
     const SolverPerformance<vector> performance
     (
-        solve(first ? solver : target_.controls(solver))
+        callSolver(first ? solver : target_.controls(solver))
     );
 
     diverged_ = !(cmptMax(performance.finalResidual()) < lost);

@@ -138,9 +138,9 @@ Foam::vector Foam::vectorSmoothSolver::sumMag() const
 {
     vector sum(Zero);
 
-    for (const vector& r : residual_)
+    forAll(residual_, celli)
     {
-        sum += cmptMag(r);
+        sum += weight(celli)*cmptMag(residual_[celli]);
     }
 
     return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
@@ -190,6 +190,17 @@ void Foam::vectorSmoothSolver::report() const
     }
 
     compat::setSolverPerformance(mesh, psi_.name(), performance_);
+}
+
+
+void Foam::vectorSmoothSolver::weigh
+(
+    const labelUList& cells,
+    const UList<scalar>& weights
+)
+{
+    weights_.resize(residual_.size(), 1);
+    UIndirectList<scalar>(weights_, cells) = weights;
 }
 
 

@@ -153,8 +153,8 @@ Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& rDiag)
 
         const vector reference(cmptMultiply(rowSum, mean));
 
-        addMag(sum, Ax - reference);
-        addMag(sum, source_[celli] - reference);
+        addMag(sum, weight(celli)*(Ax - reference));
+        addMag(sum, weight(celli)*(source_[celli] - reference));
         residual_[celli] = source_[celli] - Ax;
     }
 

@@ -20,52 +20,78 @@ Foam::bandMomentum::bandMomentum(const immersedRegion& region)
 
 void Foam::bandMomentum::penalise
 (
-    const volScalarField& A0,
     const vectorField& gradP,
     fvVectorMatrix& E
 )
 {
     addProfiling(penalise, "immersedBodies::penalise");
 
-    const cellNeighbours& neighbours = region_.neighbours();
+    const labelUList& cells = region_.cells();
     const bodySums& sums = region_.sums();
     const scalarField& V = E.psi().mesh().V();
     const scalarField& K = sums.K();
     const vectorField& KU = sums.KU();
     const vectorField& shieldDU = sums.shieldDU();
     const scalarField& shield = sums.shield();
+    scalarField& diag = E.diag();
+    vectorField& source = E.source();
+
+    diag_.resize(cells.size());
+
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+
+        diag_[i] = diag[celli];
+        diag[celli] += V[celli]*K[celli];
+        source[celli] += V[celli]
+           *(KU[celli] + shield[celli]*gradP[celli] + shieldDU[celli]);
+    }
+}
+
+
+Foam::scalarField Foam::bandMomentum::weights(const volScalarField& A0) const
+{
+    const labelUList& cells = region_.cells();
+    const scalarField& K = region_.sums().K();
+    scalarField weights(cells.size());
+
+    forAll(cells, i)
+    {
+        weights[i] = A0[cells[i]]/(A0[cells[i]] + K[cells[i]]);
+    }
+
+    return weights;
+}
+
+
+void Foam::bandMomentum::scaleRows
+(
+    const volScalarField& A0,
+    fvVectorMatrix& E
+)
+{
+    const cellNeighbours& neighbours = region_.neighbours();
+    const labelUList& cells = region_.cells();
+    const scalarField scales(weights(A0));
 
     // Both, as the scaled matrix is not symmetric even where E0 is
     scalarField& lower = E.lower();
     scalarField& upper = E.upper();
-    scalarField& diag = E.diag();
-    vectorField& source = E.source();
 
-    rows_.clear();
-    patches_.clear();
-
-    for (const label celli : region_.cells())
+    forAll(cells, i)
     {
-        const scalar scale = A0[celli]/(A0[celli] + K[celli]);
+        const label celli = cells[i];
 
-        rows_.append(diag[celli]);
-        diag[celli] = scale*(diag[celli] + V[celli]*K[celli]);
-        source[celli] = scale
-           *(
-                source[celli]
-              + V[celli]
-               *(
-                    KU[celli] + shield[celli]*gradP[celli]
-                  + shieldDU[celli]
-                )
-            );
+        E.diag()[celli] *= scales[i];
+        E.source()[celli] *= scales[i];
 
         for (const auto& n : neighbours.of(celli))
         {
             scalar& coeff = (n.owner() ? upper : lower)[n.face()];
 
-            rows_.append(coeff);
-            coeff *= scale;
+            faces_.append(coeff);
+            coeff *= scales[i];
         }
 
         for (const auto& face : neighbours.onPatches(celli))
@@ -75,28 +101,41 @@ void Foam::bandMomentum::penalise
 
             patches_.append(internal);
             patches_.append(boundary);
-            internal *= scale;
-            boundary *= scale;
+            internal *= scales[i];
+            boundary *= scales[i];
         }
     }
 }
 
 
-void Foam::bandMomentum::unpenalise(fvVectorMatrix& E)
+void Foam::bandMomentum::restore(fvVectorMatrix& E)
+{
+    const labelUList& cells = region_.cells();
+
+    UIndirectList<scalar>(E.diag(), cells) = diag_;
+
+    if (!faces_.empty() || !patches_.empty())
+    {
+        unscaleRows(E);
+    }
+
+    corrected_.clear();
+    uncorrected_.clear();
+}
+
+
+void Foam::bandMomentum::unscaleRows(fvVectorMatrix& E)
 {
     const cellNeighbours& neighbours = region_.neighbours();
     scalarField& lower = E.lower();
     scalarField& upper = E.upper();
-    scalarField& diag = E.diag();
-    label row = 0, patch = 0;
+    label facei = 0, patch = 0;
 
     for (const label celli : region_.cells())
     {
-        diag[celli] = rows_[row++];
-
         for (const auto& n : neighbours.of(celli))
         {
-            (n.owner() ? upper : lower)[n.face()] = rows_[row++];
+            (n.owner() ? upper : lower)[n.face()] = faces_[facei++];
         }
 
         for (const auto& face : neighbours.onPatches(celli))
@@ -106,8 +145,8 @@ void Foam::bandMomentum::unpenalise(fvVectorMatrix& E)
         }
     }
 
-    corrected_.clear();
-    uncorrected_.clear();
+    faces_.clear();
+    patches_.clear();
 }
 
 
