@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "closePairs.H"
+#include "nearPairs.H"
 #include "testTools.H"
 
 using namespace Foam;
@@ -65,4 +66,63 @@ TEST_CASE("Pairs by the grid are those of the plain sweep", "[contact]")
     }
     CHECK(nClose > 20);
     CHECK(plain.pairs().size() == nClose);
+}
+
+
+TEST_CASE("Pairs are kept while the bodies are at the same places", "[contact]")
+{
+    const label n = 300;
+    RandomNumbers random(7);
+    const periodicity none;
+    const contactShare all;
+    pointField centres(n);
+    scalarField radii(n, 0.15), spare(n, 0.01);
+    nearPairs pairs;
+
+    for (point& x : centres)
+    {
+        x = random.vector();
+    }
+
+    // All that overlap are there, and none that is further apart than those
+    // that are looked for
+    const auto check = [&](const label nSearches)
+    {
+        const closePairs plain(centres, radii, none);
+        const DynamicList<closePairs::pair>& found =
+            pairs.find(centres, radii, spare, none, all);
+        label nClose = 0;
+
+        for (const closePairs::pair& p : found)
+        {
+            const scalar gap =
+                mag(centres[p.a] - centres[p.b]) - radii[p.a] - radii[p.b];
+
+            nClose += gap < 0;
+            CHECK(gap < 0.1);
+        }
+        CHECK(plain.pairs().size() > 10);
+        CHECK(nClose == plain.pairs().size());
+        CHECK(pairs.nSearches() == nSearches);
+    };
+
+    check(1);
+
+    // They may go less far, and a little further, but not much
+    radii *= 0.9;
+    check(1);
+    radii = 0.159;
+    check(1);
+    radii[17] = 0.17;
+    check(2);
+    radii[17] = 0.175;
+    check(2);
+
+    // A body is elsewhere, or gone
+    centres[5] += vector(0.1, 0, 0);
+    check(3);
+    centres.resize(n - 1);
+    radii.resize(n - 1);
+    spare.resize(n - 1);
+    check(4);
 }

@@ -2,6 +2,14 @@
 
 #include "contactMovers.H"
 
+namespace
+{
+    //- Part of the way of a body that it may go further in a later iteration of
+    //  the time step without a new search
+    const Foam::scalar spareWay = 0.1;
+}
+
+
 Foam::label Foam::contactMovers::moverOf(const label bodyi)
 {
     if (numbers_[bodyi] < 0)
@@ -111,6 +119,7 @@ bool Foam::contactMovers::search
 {
     pointField centres(bodies.size());
     scalarField radii(bodies.size()), reach(bodies.size());
+    scalarField spare(bodies.size());
     const scalar slide = dt*mag(periods.slideVelocity());
 
     forAll(bodies, i)
@@ -121,10 +130,12 @@ bool Foam::contactMovers::search
         centres[i] = bodies[i].motion().old().position;
         radii[i] = radius + aroundBody[i];
         reach[i] = bodies[i].isFree() ? radius + aroundWall[i] : 0;
+        spare[i] = spareWay*furthest[i];
     }
 
-    const boolList distant(share_.distant(centres, radii, periods));
-    const closePairs close(centres, radii, periods, false, distant);
+    const DynamicList<closePairs::pair>& close =
+        near_.find(centres, radii, spare, periods, share_);
+
     walls.update(centres, reach, periods);
 
     clear();
@@ -135,7 +146,7 @@ bool Foam::contactMovers::search
     numbers_.setSize(bodies.size());
     numbers_ = -1;
 
-    findPairs(bodies, close.pairs(), walls, dt);
+    findPairs(bodies, close, walls, dt);
 
     // Large as they are, without room for more
     if (movers_.size() > capacity())

@@ -28,6 +28,8 @@ void Foam::periodicity::add
     periods_.append(period);
     gradients_.append(n/height);
     offsets_.append((n & x)/height);
+    zeros_.append(0);
+    ones_.append(1);
 }
 
 
@@ -98,6 +100,27 @@ Foam::periodicity::image Foam::periodicity::wrap(const point& x) const
 }
 
 
+Foam::Pair<Foam::scalar> Foam::periodicity::numbers
+(
+    const label i,
+    const point& x,
+    const scalar radius,
+    const scalar low,
+    const scalar high
+) const
+{
+    // More than rounding adds
+    const scalar margin = 1e-6;
+    const scalar reach = radius*mag(gradients_[i]) + margin;
+    const scalar si = s(i, x);
+
+    return Pair<scalar>
+    (
+        std::ceil(low - reach - si), std::floor(high + reach - si)
+    );
+}
+
+
 Foam::List<Foam::periodicity::image> Foam::periodicity::images
 (
     const point& x,
@@ -106,23 +129,35 @@ Foam::List<Foam::periodicity::image> Foam::periodicity::images
     const UList<scalar>& high
 ) const
 {
-    // More than rounding adds
-    const scalar margin = 1e-6;
-
-    DynamicList<image> found(1, image{Zero, Zero, Zero});
+    const image itself{Zero, Zero, Zero};
+    bool alone = true;
 
     forAll(periods_, i)
     {
-        const scalar reach = radius*mag(gradients_[i]) + margin;
+        const Pair<scalar> n(numbers(i, x, radius, low[i], high[i]));
+
+        alone = alone && n.first() == 0 && n.second() == 0;
+    }
+    if (alone)
+    {
+        // Most are, and there may be many
+        return List<image>(1, itself);
+    }
+
+    DynamicList<image> found(1, itself);
+
+    forAll(periods_, i)
+    {
         DynamicList<image> moved;
 
         for (const image& im : found)
         {
-            const scalar si = s(i, x + im.shift);
-            const scalar first = std::ceil(low[i] - reach - si);
-            const scalar last = std::floor(high[i] + reach - si);
+            const Pair<scalar> ends
+            (
+                numbers(i, x + im.shift, radius, low[i], high[i])
+            );
 
-            for (scalar n = first; n <= last; ++n)
+            for (scalar n = ends.first(); n <= ends.second(); ++n)
             {
                 moved.append(im);
                 move(moved.last(), i, n);
@@ -142,13 +177,7 @@ Foam::List<Foam::periodicity::image> Foam::periodicity::globalImages
     const scalar radius
 ) const
 {
-    return images
-    (
-        x,
-        radius,
-        scalarList(periods_.size(), scalar(0)),
-        scalarList(periods_.size(), scalar(1))
-    );
+    return images(x, radius, zeros_, ones_);
 }
 
 
