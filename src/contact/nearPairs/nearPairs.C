@@ -2,7 +2,7 @@
 
 #include "nearPairs.H"
 
-bool Foam::nearPairs::holds
+bool Foam::nearPairs::hold
 (
     const UList<point>& centres,
     const UList<scalar>& radii
@@ -29,7 +29,7 @@ const Foam::DynamicList<Foam::closePairs::pair>& Foam::nearPairs::find
 )
 {
     // Images that slide are elsewhere in each time step
-    if (periods.sliding() || !holds(centres, radii))
+    if (periods.sliding() || !hold(centres, radii))
     {
         centres_ = centres;
         radii_ = radii;
@@ -42,7 +42,6 @@ const Foam::DynamicList<Foam::closePairs::pair>& Foam::nearPairs::find
             false,
             share.distant(centres_, radii_, periods)
         ).pairs();
-        ++nSearches_;
     }
 
     return pairs_;

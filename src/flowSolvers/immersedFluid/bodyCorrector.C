@@ -156,16 +156,14 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
 )
 {
     const bool free = bodies_.list().anyFree();
+    const tmp<vectorField> tdrive(momentum_.drive(correction_.gradP()));
+    const solvedMomentum solved
+    {
+        ddt, momentum_.matrix(), momentum_.A(), U_, tdrive(), correction_.dU()
+    };
     const scalar ofBodies = bodies_.correct
     (
-        ddt,
-        momentum_.matrix(),
-        momentum_.A(),
-        U_,
-        momentum_.drive(correction_.gradP())(),
-        correction_.dU(),
-        free && iteration_.first(),
-        addedMassHelps()
+        solved, free && iteration_.first(), addedMassHelps()
     );
     const scalar change = max
     (

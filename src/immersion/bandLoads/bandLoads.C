@@ -54,14 +54,10 @@ Foam::vector Foam::bandLoads::rowH
 }
 
 
-void Foam::bandLoads::setFluidPart
-(
-    const fvVectorMatrix& E0,
-    const volVectorField& U,
-    const vectorField& gradP
-)
+void Foam::bandLoads::setFluidPart(const solvedMomentum& solved)
 {
-    const List<vectorField> neighbourU(coupledValues(U));
+    const vectorField& U = solved.U;
+    const List<vectorField> neighbourU(coupledValues(solved.U));
     const scalarField& K = sums_.K();
     const vectorField& shieldDU = sums_.shieldDU();
     const scalarField& shield = sums_.shield();
@@ -70,8 +66,8 @@ void Foam::bandLoads::setFluidPart
     {
         if (K[celli] > 0)
         {
-            fluidPart_[celli] = (1 - shield[celli])*gradP[celli]
-              - shieldDU[celli] - rowH(E0, U, neighbourU, celli);
+            fluidPart_[celli] = (1 - shield[celli])*solved.gradP[celli]
+              - shieldDU[celli] - rowH(solved.E0, U, neighbourU, celli);
         }
     }
 }
@@ -80,16 +76,11 @@ void Foam::bandLoads::setFluidPart
 void Foam::bandLoads::measure
 (
     const PtrList<immersedBody>& bodies,
-    const ddtCoefficients& ddt,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
-    const volVectorField& U,
-    const vectorField& gradP,
-    const vectorField& dU,
+    const solvedMomentum& solved,
     List<bodyLoad>& loads
 )
 {
-    setFluidPart(E0, U, gradP);
+    setFluidPart(solved);
 
     forAll(loads, bodyi)
     {
@@ -105,14 +96,7 @@ void Foam::bandLoads::measure
         {
             add
             (
-                bodies[region.body()],
-                ddt,
-                A0,
-                U,
-                gradP,
-                dU,
-                region,
-                loads[region.body()]
+                bodies[region.body()], solved, region, loads[region.body()]
             );
         }
     }
@@ -122,11 +106,7 @@ void Foam::bandLoads::measure
 void Foam::bandLoads::add
 (
     const immersedBody& body,
-    const ddtCoefficients& ddt,
-    const volScalarField& A0,
-    const vectorField& U,
-    const vectorField& gradP,
-    const vectorField& dU,
+    const solvedMomentum& solved,
     bodyRegion& region,
     bodyLoad& load
 ) const
@@ -134,9 +114,12 @@ void Foam::bandLoads::add
     const scalarField& V = mesh_.V();
     const scalarField& K = sums_.K();
     const vectorField& KU = sums_.KU();
+    const scalarField& A0 = solved.A0;
+    const vectorField& U = solved.U;
+    const vectorField& gradP = solved.gradP;
     const bodyState& state = body.state();
     const vector moving(state.U + region.slideVelocity());
-    const rigidAcceleration acceleration(body.motion().acceleration(ddt));
+    const rigidAcceleration acceleration(body.motion().acceleration(solved.ddt));
 
     region.force.setSize(keepForces_ ? region.cells.size() : 0);
 
@@ -170,7 +153,7 @@ void Foam::bandLoads::add
         // Deeper than a cell, where the layer has come to an end
         if (region.distance[i] < -region.h[i])
         {
-            load.slip += V[celli]*magSqr(U[celli] - dU[celli] - Ub);
+            load.slip += V[celli]*magSqr(U[celli] - solved.dU[celli] - Ub);
         }
     }
 }

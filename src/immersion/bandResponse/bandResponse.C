@@ -29,13 +29,11 @@ Foam::bandResponse::bandResponse
 void Foam::bandResponse::measure
 (
     const PtrList<immersedBody>& bodies,
-    const scalar ddtCoeff,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
+    const solvedMomentum& solved,
     List<bodyLoad>& loads
 )
 {
-    const List<scalarField> neighbourA(coupledValues(A0));
+    const List<scalarField> neighbourA(coupledValues(solved.A0));
     const List<scalarField> neighbourK(coupledValues(sums_.K()));
 
     for (bodyLoad& load : loads)
@@ -47,9 +45,7 @@ void Foam::bandResponse::measure
     {
         add
         (
-            ddtCoeff,
-            E0,
-            A0,
+            solved,
             neighbourA,
             neighbourK,
             region.centre(bodies[region.body()].state()),
@@ -62,9 +58,7 @@ void Foam::bandResponse::measure
 
 void Foam::bandResponse::add
 (
-    const scalar ddtCoeff,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
+    const solvedMomentum& solved,
     const List<scalarField>& neighbourA,
     const List<scalarField>& neighbourK,
     const point& centre,
@@ -73,6 +67,7 @@ void Foam::bandResponse::add
 )
 {
     const vectorField& centres = mesh_.cellCentres();
+    const scalarField& A0 = solved.A0;
     const scalarField& K = sums_.K();
 
     forAll(region.cells, i)
@@ -85,14 +80,14 @@ void Foam::bandResponse::add
         load.addResponse
         (
             mesh_.V()[celli]
-           *(w*A0[celli] + (1 - w)*region.share[i]*ddtCoeff),
+           *(w*A0[celli] + (1 - w)*region.share[i]*solved.ddt.c),
             r,
             r
         );
     }
 
-    addInternal(E0, centre, region, load);
-    addCoupled(E0, neighbourA, neighbourK, centre, region, load);
+    addInternal(solved.E0, centre, region, load);
+    addCoupled(solved.E0, neighbourA, neighbourK, centre, region, load);
 
     for (const label celli : region.cells)
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyRegions.H"
-#include <algorithm>
 
 namespace
 {
@@ -37,22 +36,31 @@ Foam::bodyRegions::bodyRegions(const periodicity& periods)
 
 const Foam::bodyRegion& Foam::bodyRegions::operator[](const label bodyi) const
 {
-    const auto isBefore = [](const bodyRegion& region, const label bodyj)
-    {
-        return region.body() < bodyj;
-    };
-    const auto end = regions_.begin() + nBodies_;
-    const auto found =
-        std::lower_bound(regions_.begin(), end, bodyi, isBefore);
+    // The first that is not of a body before
+    label first = 0, end = nBodies_;
 
-    if (found == end || found->body() != bodyi)
+    while (first < end)
+    {
+        const label middle = (first + end)/2;
+
+        if (regions_[middle].body() < bodyi)
+        {
+            first = middle + 1;
+        }
+        else
+        {
+            end = middle;
+        }
+    }
+
+    if (first == nBodies_ || regions_[first].body() != bodyi)
     {
         FatalErrorInFunction
             << "There is no region of body " << bodyi << nl
             << abort(FatalError);
     }
 
-    return *found;
+    return regions_[first];
 }
 
 

@@ -68,20 +68,15 @@ void Foam::immersedRegion::updateGeometry
 void Foam::immersedRegion::load
 (
     const PtrList<immersedBody>& bodies,
-    const ddtCoefficients& ddt,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
-    const volVectorField& U,
-    const vectorField& gradP,
-    const vectorField& dU,
+    const solvedMomentum& solved,
     const bool response,
     List<bodyLoad>& loads
 )
 {
-    loads_.measure(bodies, ddt, E0, A0, U, gradP, dU, loads);
+    loads_.measure(bodies, solved, loads);
 
     if (response)
     {
-        response_.measure(bodies, ddt.c, E0, A0, loads);
+        response_.measure(bodies, solved, loads);
     }
 }

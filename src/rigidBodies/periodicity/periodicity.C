@@ -28,8 +28,6 @@ void Foam::periodicity::add
     periods_.append(period);
     gradients_.append(n/height);
     offsets_.append((n & x)/height);
-    zeros_.append(0);
-    ones_.append(1);
 }
 
 
@@ -105,8 +103,7 @@ Foam::Pair<Foam::scalar> Foam::periodicity::numbers
     const label i,
     const point& x,
     const scalar radius,
-    const scalar low,
-    const scalar high
+    const Pair<scalar>& range
 ) const
 {
     // More than rounding adds
@@ -116,17 +113,18 @@ Foam::Pair<Foam::scalar> Foam::periodicity::numbers
 
     return Pair<scalar>
     (
-        std::ceil(low - reach - si), std::floor(high + reach - si)
+        std::ceil(range.first() - reach - si),
+        std::floor(range.second() + reach - si)
     );
 }
 
 
+template<class Range>
 Foam::List<Foam::periodicity::image> Foam::periodicity::images
 (
     const point& x,
     const scalar radius,
-    const UList<scalar>& low,
-    const UList<scalar>& high
+    const Range& range
 ) const
 {
     const image itself{Zero, Zero, Zero};
@@ -134,7 +132,7 @@ Foam::List<Foam::periodicity::image> Foam::periodicity::images
 
     forAll(periods_, i)
     {
-        const Pair<scalar> n(numbers(i, x, radius, low[i], high[i]));
+        const Pair<scalar> n(numbers(i, x, radius, range(i)));
 
         alone = alone && n.first() == 0 && n.second() == 0;
     }
@@ -154,7 +152,7 @@ Foam::List<Foam::periodicity::image> Foam::periodicity::images
         {
             const Pair<scalar> ends
             (
-                numbers(i, x + im.shift, radius, low[i], high[i])
+                numbers(i, x + im.shift, radius, range(i))
             );
 
             for (scalar n = ends.first(); n <= ends.second(); ++n)
@@ -171,13 +169,31 @@ Foam::List<Foam::periodicity::image> Foam::periodicity::images
 }
 
 
+Foam::List<Foam::periodicity::image> Foam::periodicity::localImages
+(
+    const point& x,
+    const scalar radius
+) const
+{
+    return images
+    (
+        x,
+        radius,
+        [&](const label i) { return Pair<scalar>(low_[i], high_[i]); }
+    );
+}
+
+
 Foam::List<Foam::periodicity::image> Foam::periodicity::globalImages
 (
     const point& x,
     const scalar radius
 ) const
 {
-    return images(x, radius, zeros_, ones_);
+    return images
+    (
+        x, radius, [](const label) { return Pair<scalar>(0, 1); }
+    );
 }
 
 

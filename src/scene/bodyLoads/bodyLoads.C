@@ -70,17 +70,12 @@ void Foam::bodyLoads::reduce
 
 void Foam::bodyLoads::measure
 (
-    const ddtCoefficients& ddt,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
-    const volVectorField& U,
-    const vectorField& gradP,
-    const vectorField& dU,
+    const solvedMomentum& solved,
     const bool response,
     immersedRegion& region
 )
 {
-    region.load(bodies_, ddt, E0, A0, U, gradP, dU, response, loads_);
+    region.load(bodies_, solved, response, loads_);
 
     forAll(loads_, bodyi)
     {

@@ -2,6 +2,7 @@
 
 #include "fluidConstants.H"
 #include "checkKeywords.H"
+#include "dimensionedVector.H"
 #include "IOdictionary.H"
 #include "meshProperties.H"
 #include "uniformDimensionedFields.H"

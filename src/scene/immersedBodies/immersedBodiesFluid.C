@@ -88,12 +88,7 @@ void Foam::immersedBodies::updateResistance
 
 Foam::scalar Foam::immersedBodies::correct
 (
-    const ddtCoefficients& ddt,
-    const fvVectorMatrix& E0,
-    const volScalarField& A0,
-    const volVectorField& U,
-    const vectorField& gradP,
-    const vectorField& dU,
+    const solvedMomentum& solved,
     const bool response,
     const bool addedMass
 )
@@ -102,7 +97,7 @@ Foam::scalar Foam::immersedBodies::correct
 
     if (bodies_.nResolved())
     {
-        loads_.measure(ddt, E0, A0, U, gradP, dU, response, region_);
+        loads_.measure(solved, response, region_);
     }
 
     const scalar added = !addedMass ? 0 : space_.twoD() ? 1 : 0.5;
@@ -120,7 +115,7 @@ Foam::scalar Foam::immersedBodies::correct
 
         // One that is all but outside the mesh has nothing to go by
         const scalar change = !body.isFree() || loads_.inMesh(bodyi)
-          ? body.correctVelocity(loads_[bodyi], ddt, g(), added)
+          ? body.correctVelocity(loads_[bodyi], solved.ddt, g(), added)
           : 0;
 
         crowd_.note(bodyi, change);

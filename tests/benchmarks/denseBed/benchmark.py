@@ -3,11 +3,18 @@
 of the fluid."""
 
 import re
+import sys
+from pathlib import Path
 
 import numpy as np
 
 from denseBox import COUPLING, column, grains, write_positions
 from measure import Result
+
+HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent/"cost"))
+
+from timedRun import TimedRun  # noqa: E402
 
 NUMBERS, QUICK_NUMBERS = (1000, 10000, 100000), (1000,)
 KERNELS = {"1.5": "cells 1.5; diameters 3;", "3": "cells 3; diameters 3;"}
@@ -89,8 +96,8 @@ def rows(folder, quick):
                 )
                 if ranks > 1:
                     case.decompose(ranks, (1, 1, ranks))
-                log = case.run("foamRun", ranks=ranks)
-                times = ends(log)
+                memory = TimedRun.execute(case, ["foamRun"], ranks)
+                times = ends((case.path/"log").read_text())
                 seconds = (times[-1] - times[WARM - 1])/STEPS
                 result = Result(
                     f"{number} grains, kernel of {kernel} cells, {ranks}"
@@ -102,6 +109,7 @@ def rows(folder, quick):
                 yield result.row(
                     "us per grain and step", 1e6*seconds/number
                 )
+                yield result.row("memory MB", memory/1024)
                 found = parts(case, ranks)
                 for part, name in PARTS.items():
                     yield result.row(f"{part} ms", 1e3*found[name])

@@ -172,6 +172,7 @@ def rows(folder, quick):
         for number in numbers:
             run = timed(mesh, size, number, ranks)
             yield run.row("ms per step", run.step)
+            yield run.row("memory MB", run.memory*run.cells/1024)
             if number:
                 for name, time in zip(("momentum", "pressure", "bodies"),
                                       run.parts):
