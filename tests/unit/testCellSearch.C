@@ -99,3 +99,61 @@ TEST_CASE("Cells of one size are known to be so", "[cellSearch]")
         CHECK(mag(others.faceH(facei, n) - 0.25) > 1e-5);
     }
 }
+
+
+TEST_CASE("Cells around a point are those of a search of all", "[cellSearch]")
+{
+    const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+    box.x = {{
+        testTools::graded(20, 2, 1.2),
+        testTools::graded(9, 1, 0.8),
+        testTools::graded(6, 0.1, 1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+    box.shear = 0.3;
+
+    const auto mesh(box.make(time));
+    const pointField& C = mesh->cellCentres();
+    const cellSearch search(*mesh, geometricSpace(-1));
+    testTools::RandomNumbers random(1);
+    label nInside = 0, nFound = 0;
+
+    for (label i = 0; i < 300; ++i)
+    {
+        // Some of them beside the mesh
+        const point x
+        (
+            2.6*random.number() - 0.3,
+            1.4*random.number() - 0.2,
+            0.14*random.number() - 0.02
+        );
+        const scalar radius = sqr(random.number());
+        DynamicList<label> around, holding;
+
+        forAll(C, celli)
+        {
+            if (mag(C[celli] - x) < radius)
+            {
+                around.append(celli);
+            }
+            if (search.contains(celli, x))
+            {
+                holding.append(celli);
+            }
+        }
+
+        CHECK(search.cellsAround(x, radius) == labelList(around));
+        CHECK(holding.found(search.findCell(x)) == !holding.empty());
+
+        nFound += around.size();
+        nInside += holding.size();
+    }
+
+    CHECK(nFound > 1000);
+    CHECK(nInside > 15);
+
+    // Far off, and nowhere
+    CHECK(search.cellsAround(point(1e20, 0, 0), 1).empty());
+    CHECK(search.findCell(point(1e20, -1e20, 1)) == -1);
+}

@@ -72,6 +72,89 @@ TEST_CASE("Pairs that are left out do not touch", "[contact]")
 }
 
 
+TEST_CASE("Pairs that are not due are apart", "[contact]")
+{
+    // As above, looked at when due; faster ones, that hit something, and ones
+    // whose path is longer than was said
+    const label n = 30, nSteps = 400;
+    const scalar h = 0.002;
+    RandomNumbers random(5);
+    auto number = [&]() { return mag(random.number()); };
+    contactClearance plain, scheduled;
+    scalarField ways(n, Zero), speeds(n);
+    label nDue = 0, nAll = 0, nApart = 0;
+
+    plain.reset(n);
+    scheduled.reset(n);
+    scheduled.setSubSteps(nSteps);
+    for (label a = 0; a < n; ++a)
+    {
+        speeds[a] = number();
+        for (label b = -1; b < a; ++b)
+        {
+            plain.append(a, b);
+            scheduled.append(a, b);
+            ++nAll;
+        }
+    }
+
+    auto set = [&](const label i)
+    {
+        plain.setWay(i, ways[i], h*speeds[i]);
+        scheduled.setWay(i, ways[i], h*speeds[i]);
+    };
+
+    for (label step = 0; step < nSteps; ++step)
+    {
+        plain.setSubStep(step);
+        scheduled.setSubStep(step);
+        forAll(ways, i)
+        {
+            const bool odd = i % 3 == 0;
+            const bool hit = number() < 0.01;
+
+            ways[i] += h*speeds[i]*(odd ? 1 + 0.1*number() : 1);
+            if (hit)
+            {
+                speeds[i] = (step < 200 ? 1 : 3)*number();
+            }
+            if (step == 0 || odd || hit)
+            {
+                set(i);
+            }
+        }
+
+        boolList looked(nAll, false);
+
+        for (const label pairi : scheduled.due())
+        {
+            CHECK(scheduled.apart(pairi) == plain.apart(pairi));
+            if (!scheduled.apart(pairi))
+            {
+                const scalar gap = sqr(number());
+
+                plain.measured(pairi, gap);
+                scheduled.measured(pairi, gap);
+            }
+            scheduled.schedule(pairi);
+            looked[pairi] = true;
+            ++nDue;
+        }
+        forAll(looked, pairi)
+        {
+            if (!looked[pairi])
+            {
+                ++nApart;
+                CHECK(plain.apart(pairi));
+            }
+        }
+    }
+
+    CHECK(nDue > 5000);
+    CHECK(nApart > 5*nDue);
+}
+
+
 TEST_CASE("The point between two round bodies, without the bodies", "[contact]")
 {
     RandomNumbers random(4);

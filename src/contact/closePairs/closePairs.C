@@ -171,9 +171,8 @@ Foam::closePairs::closePairs
         }
     }
 
-    // Rounding of the places
-    const pointGrid grid(places, 2.001*most);
-    DynamicList<label> beside, found;
+    const pointGrid grid(places, 2*most);
+    DynamicList<label> found;
     label nSmall = 0;
 
     for (const label k : all)
@@ -182,16 +181,18 @@ Foam::closePairs::closePairs
 
         if (nSmall < small.size() && small[nSmall] == k)
         {
-            beside.clear();
-            grid.beside(places[nSmall], beside);
-
-            for (const label i : beside)
-            {
-                if (i > nSmall && overlap(images_[k], images_[small[i]]))
+            grid.forNear
+            (
+                places[nSmall],
+                1.001*(radii[images_[k].body] + most),
+                [&](const label i)
                 {
-                    found.append(small[i]);
+                    if (i > nSmall && overlap(images_[k], images_[small[i]]))
+                    {
+                        found.append(small[i]);
+                    }
                 }
-            }
+            );
             sweep(k, large, k - nSmall, found);
             Foam::sort(found);
             ++nSmall;

@@ -182,10 +182,11 @@ void Foam::contactModels::softSphere::findTouches
     films_.clear();
     motion.bringExchanged();
 
-    forAll(candidates(), i)
+    for (const label i : clearance_.due())
     {
         if (clearance_.apart(i))
         {
+            clearance_.schedule(i);
             continue;
         }
 
@@ -218,5 +219,6 @@ void Foam::contactModels::softSphere::findTouches
         {
             clearance_.forget(i);
         }
+        clearance_.schedule(i);
     }
 }

@@ -23,6 +23,7 @@ Foam::subStepMotion::subStepMotion
     step_(0),
     flights_(movers.size())
 {
+    clearance_.setSubSteps(n);
     clearance_.setSubStep(step_);
 
     forAll(movers_, i)

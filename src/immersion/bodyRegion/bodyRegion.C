@@ -50,7 +50,7 @@ void Foam::bodyRegion::search
     // A cell at least: of a small body half a one is left in a step or two
     searchMargin_ = max(0.5*hMax(body), hCap);
 
-    const labelList inBox
+    const labelList inSphere
     (
         search.cellsAround
         (
@@ -58,9 +58,9 @@ void Foam::bodyRegion::search
             radius + (bandWidth + 0.5)*hCap + searchMargin_
         )
     );
-    DynamicList<label> inReach(inBox.size());
+    DynamicList<label> inReach(inSphere.size());
 
-    for (const label celli : inBox)
+    for (const label celli : inSphere)
     {
         const scalar reach =
             radius + (bandWidth + 0.5)*min(search.hMax(celli), hCap)

@@ -2,14 +2,6 @@
 
 #include "pointGrid.H"
 
-Foam::label Foam::pointGrid::cube(const point& x, const direction along) const
-{
-    const scalar at = (x[along] - box_.min()[along])/side_;
-
-    return min(max(label(at), label(0)), n_[along] - 1);
-}
-
-
 Foam::pointGrid::pointGrid(const UList<point>& points, const scalar side)
 :
     box_(points, false),
@@ -62,25 +54,5 @@ Foam::pointGrid::pointGrid(const UList<point>& points, const scalar side)
     forAll(points, i)
     {
         points_[next[cubeOf[i]]++] = i;
-    }
-}
-
-
-void Foam::pointGrid::beside(const point& x, DynamicList<label>& found) const
-{
-    const label xi = cube(x, 0), yi = cube(x, 1), zi = cube(x, 2);
-    const label low = max(xi - 1, label(0)), high = min(xi + 1, n_[0] - 1);
-
-    for (label k = max(zi - 1, label(0)); k <= min(zi + 1, n_[2] - 1); ++k)
-    {
-        for (label j = max(yi - 1, label(0)); j <= min(yi + 1, n_[1] - 1); ++j)
-        {
-            const label row = n_[0]*(j + n_[1]*k);
-
-            for (label i = starts_[row + low]; i < starts_[row + high + 1]; ++i)
-            {
-                found.append(points_[i]);
-            }
-        }
     }
 }
