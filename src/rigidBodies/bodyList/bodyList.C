@@ -26,9 +26,12 @@ Foam::bodyList::dependent::~dependent()
 
 
 Foam::bodyList::bodyList(PtrList<immersedBody>&& bodies)
-:
-    PtrList<immersedBody>(std::move(bodies))
-{}
+{
+    forAll(bodies, i)
+    {
+        PtrDynList<immersedBody>::append(bodies.release(i).ptr());
+    }
+}
 
 
 bool Foam::bodyList::anyFree() const
@@ -116,7 +119,7 @@ Foam::scalar Foam::bodyList::contactSpeed() const
 
 void Foam::bodyList::append(autoPtr<immersedBody>&& body)
 {
-    PtrList<immersedBody>::append(std::move(body));
+    PtrDynList<immersedBody>::append(body.ptr());
 
     for (dependent* one : dependents_)
     {
@@ -127,7 +130,7 @@ void Foam::bodyList::append(autoPtr<immersedBody>&& body)
 
 Foam::autoPtr<Foam::immersedBody> Foam::bodyList::take(const label i)
 {
-    typedef PtrList<immersedBody> list;
+    typedef PtrDynList<immersedBody> list;
 
     autoPtr<immersedBody> body(list::release(i));
 

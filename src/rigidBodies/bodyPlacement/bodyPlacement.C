@@ -197,6 +197,10 @@ void Foam::bodyPlacement::place
             bodyDict, shape, space_, rho_
         );
 
+        const label nBefore = bodies.size();
+
+        bodies.resize(nBefore + x.size());
+
         forAll(x, i)
         {
             const word name
@@ -213,7 +217,10 @@ void Foam::bodyPlacement::place
               : bodyOrientation::read(bodyDict, space_)
             );
 
-            bodies.append(new immersedBody(name, kind, x[i], orientation));
+            bodies.set
+            (
+                nBefore + i, new immersedBody(name, kind, x[i], orientation)
+            );
         }
     }
 }

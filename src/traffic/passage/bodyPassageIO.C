@@ -39,18 +39,21 @@ void Foam::bodyPassage::readState
 )
 {
     const dictionary& bodyStates = states.subDict("bodies");
-    PtrList<immersedBody> known, inMesh;
+    PtrList<immersedBody> known(bodies.size()), inMesh;
     HashTable<label> numbers;
 
-    while (bodies.size())
+    forAllReverse(known, i)
     {
-        numbers.insert(bodies.last().name(), known.size());
-        known.append(bodies.take(bodies.size() - 1));
+        numbers.insert(bodies.last().name(), i);
+        known.set(i, bodies.take(i).ptr());
     }
 
     // In the order there was, which sums over bodies depend on
     auto read = [&](const dictionary& from, PtrList<immersedBody>& to)
     {
+        label n = 0;
+
+        to.resize(from.size());
         for (const entry& e : from)
         {
             const dictionary& state = e.dict();
@@ -68,9 +71,10 @@ void Foam::bodyPassage::readState
             if (body.valid())
             {
                 body->readState(state);
-                to.append(body.ptr());
+                to.set(n++, body.ptr());
             }
         }
+        to.resize(n);
     };
 
     read(bodyStates, inMesh);
