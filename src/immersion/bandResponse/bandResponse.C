@@ -14,7 +14,8 @@ Foam::bandResponse::bandResponse
     bands_(bands),
     sums_(sums),
     delta_(mesh.boundary().size()),
-    weight_(mesh.nCells(), Zero)
+    weight_(mesh.nCells(), Zero),
+    rows_(mesh.nCells())
 {
     forAll(delta_, patchi)
     {
@@ -73,24 +74,26 @@ void Foam::bandResponse::add
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
-        const vector r(centres[celli] - centre);
         const scalar w = region.resistance[i]/(A0[celli] + K[celli]);
 
         weight_[celli] = w;
-        load.addResponse
+        rows_[celli] = row{0, Zero};
+        rows_[celli].add
         (
             mesh_.V()[celli]
            *(w*A0[celli] + (1 - w)*region.share[i]*solved.ddt.c),
-            r,
-            r
+            centres[celli] - centre
         );
     }
 
-    addInternal(solved.E0, centre, region, load);
+    addInternal(solved.E0, centre, region);
     addCoupled(solved.E0, neighbourA, neighbourK, centre, region, load);
 
     for (const label celli : region.cells)
     {
+        const row& one = rows_[celli];
+
+        load.addResponseRow(one.sum, one.sumR, centres[celli] - centre);
         weight_[celli] = 0;
     }
 }
@@ -100,9 +103,8 @@ void Foam::bandResponse::addInternal
 (
     const fvVectorMatrix& E0,
     const point& centre,
-    const bodyRegion& region,
-    bodyLoad& load
-) const
+    const bodyRegion& region
+)
 {
     const vectorField& centres = mesh_.cellCentres();
     const scalarField& lower = E0.lower();
@@ -118,11 +120,8 @@ void Foam::bandResponse::addInternal
 
             if (w > 0)
             {
-                const vector ro(centres[own] - centre);
-                const vector rn(centres[nei] - centre);
-
-                load.addResponse(w*upper[facei], ro, rn);
-                load.addResponse(w*lower[facei], rn, ro);
+                rows_[own].add(w*upper[facei], centres[nei] - centre);
+                rows_[nei].add(w*lower[facei], centres[own] - centre);
             }
         }
     }
