@@ -23,13 +23,11 @@ bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
 {
     // The first time step of a run has no flux that is extrapolated. What is
     // combined from several iterations is the pressure of all cells. In a
-    // window all fluxes change with its velocity, and unresolved bodies act
-    // outside of the bands.
+    // window all fluxes change with its velocity.
     return momentum_.uniformViscosity()
      && !acceleration_.active()
      && !bodies_.window().comoving()
      && !MRF.MRFZoneList::size()
-     && !bodies_.list().nUnresolved()
      && runTime_.timeIndex() > 1
      && viscousReach_ < maxBandReach;
 }

@@ -5,6 +5,7 @@
 #include "comovingDerivative.H"
 #include "meshProperties.H"
 #include "profiling.H"
+#include "unresolvedBodies.H"
 
 namespace
 {
@@ -37,18 +38,18 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         correction_.complete(1/ddt.c);
     }
 
-    if
-    (
-        bandsSuffice()
-     && momentum_.solveInBands(ddt, correction_.gradP(), iteration_.limit())
-    )
+    if (bandsSuffice() && solveInBands(ddt))
     {
         return;
     }
 
-    if (bodies_.region().bands().few())
+    if
+    (
+        bodies_.region().bands().few()
+     || (bandsSuffice() && bodies_.list().nUnresolved())
+    )
     {
-        // The matrix is to be that of all
+        // The matrix and the kernels are to be those of all
         bodies_.predict(true);
     }
     correction_.complete(1/ddt.c);
@@ -151,19 +152,54 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
 }
 
 
+bool Foam::flowSolvers::immersedFluid::solveInBands
+(
+    const ddtCoefficients& ddt
+)
+{
+    const bool done = momentum_.solveInBands
+    (
+        ddt, correction_.gradP(), iteration_.limit()
+    );
+
+    if (done && bodies_.list().nUnresolved())
+    {
+        addForce(bodies_.unresolved().follow(ddt), ddt);
+    }
+
+    return done;
+}
+
+
 void Foam::flowSolvers::immersedFluid::correctUnresolved
 (
     const ddtCoefficients& ddt
 )
 {
-    if (bodies_.list().nUnresolved())
+    if (!bodies_.list().nUnresolved())
     {
-        const tmp<vectorField> tchange(moveUnresolved(ddt));
-
-        momentum_.force() += tchange();
-        U_.primitiveFieldRef() += tchange()/ddt.c;
-        U_.correctBoundaryConditions();
+        return;
     }
+
+    addForce(moveUnresolved(ddt), ddt);
+
+    // In bands the equation is to be solved from where it is solved everywhere
+    if (bodies_.list().nResolved() && bandsCanSuffice())
+    {
+        momentum_.solve(correction_.gradP(), false);
+    }
+}
+
+
+void Foam::flowSolvers::immersedFluid::addForce
+(
+    const tmp<vectorField>& tforce,
+    const ddtCoefficients& ddt
+)
+{
+    momentum_.force() += tforce();
+    U_.primitiveFieldRef() += tforce()/ddt.c;
+    U_.correctBoundaryConditions();
 }
 
 

@@ -57,7 +57,7 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
             bodies_.beginStep();
         }
     }
-    bodies_.predict(!iteration_.first(), enough());
+    bodies_.predict(!iteration_.first(), enough(), bandsSuffice());
 
     if (iteration_.first())
     {

@@ -52,7 +52,7 @@ void Foam::bodyResolution::findAtSurfaces()
     {
         immersedBody& body = bodies_[bodyi];
 
-        if (!coupling().resolves(body, h_[bodyi]) && body.resolved())
+        if (!choice().resolves(body, h_[bodyi]) && body.resolved())
         {
             body.status().setResolved(false);
             h_[bodyi] = atCentre[bodyi];
@@ -76,9 +76,9 @@ void Foam::bodyResolution::start(const bool restarted)
         immersedBody& body = bodies_[bodyi];
 
         // What the mesh decided on in the previous run stays
-        if (!restarted || coupling().type(body) != "auto")
+        if (!restarted || choice().type(body) != "auto")
         {
-            body.status().setResolved(coupling().resolves(body, h_[bodyi]));
+            body.status().setResolved(choice().resolves(body, h_[bodyi]));
         }
     }
 
@@ -105,7 +105,7 @@ bool Foam::bodyResolution::anyAuto() const
 {
     for (const immersedBody& body : bodies_)
     {
-        if (coupling().type(body) == "auto")
+        if (choice().type(body) == "auto")
         {
             return true;
         }
@@ -123,7 +123,7 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
     {
         const immersedBody& body = bodies_[bodyi];
 
-        if (coupling().type(body) != "auto")
+        if (choice().type(body) != "auto")
         {
             continue;
         }
@@ -131,7 +131,7 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
         if (!body.resolved())
         {
             // Not for most of them, far from being resolved
-            sizes[bodyi] = coupling().resolves(body, h_[bodyi])
+            sizes[bodyi] = choice().resolves(body, h_[bodyi])
               ? coupling().largestCell(bodyi, body.shape().boundingRadius())
               : h_[bodyi];
         }
@@ -174,7 +174,7 @@ void Foam::bodyResolution::select(volVectorField& U)
 
         h_[bodyi] = sizes[bodyi];
 
-        const bool resolve = coupling().resolves(body, h_[bodyi]);
+        const bool resolve = choice().resolves(body, h_[bodyi]);
 
         if (resolve != body.resolved())
         {
@@ -234,7 +234,7 @@ Foam::scalar Foam::bodyResolution::resolve
 
     const scalar h = bodyCellSizes::at(body, {largest[0], largest[1]});
 
-    body.status().setResolved(coupling().resolves(body, max(h, largest[2])));
+    body.status().setResolved(choice().resolves(body, max(h, largest[2])));
 
     return body.resolved() ? h : largest[2];
 }

@@ -113,7 +113,12 @@ void Foam::immersedBodies::predictPoses()
 }
 
 
-void Foam::immersedBodies::predict(const bool again, const scalar enough)
+void Foam::immersedBodies::predict
+(
+    const bool again,
+    const scalar enough,
+    const bool inBands
+)
 {
     addProfiling(predict, "immersedBodies::predict");
 
@@ -127,7 +132,10 @@ void Foam::immersedBodies::predict(const bool again, const scalar enough)
         region_.selectAll();
     }
     region_.updateGeometry(bodies_, false, again);
-    unresolved_->update();
+    if (!inBands)
+    {
+        unresolved_->update();
+    }
 }
 
 

@@ -29,7 +29,7 @@ void Foam::unresolvedBodies::addLoads(vectorField& force) const
     if (coupling_.active())
     {
         force.resize(mesh_.nCells(), Zero);
-        coupling_.addLoads(bodies_, 1, force);
+        coupling_.addLoads(bodies_, force);
     }
 }
 
@@ -44,9 +44,25 @@ Foam::tmp<Foam::vectorField> Foam::unresolvedBodies::correct
 
     tmp<vectorField> tchange(new vectorField(mesh_.nCells(), Zero));
 
-    coupling_.addLoads(bodies_, -1, tchange.ref());
-    coupling_.correct(bodies_, ddt, g_, window_.velocity(), flow);
-    coupling_.addLoads(bodies_, 1, tchange.ref());
+    coupling_.correct
+    (
+        bodies_, ddt, g_, window_.velocity(), flow, tchange.ref()
+    );
+
+    return tchange;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::unresolvedBodies::follow
+(
+    const ddtCoefficients& ddt
+)
+{
+    addProfiling(follow, "immersedBodies::followUnresolved");
+
+    tmp<vectorField> tchange(new vectorField(mesh_.nCells(), Zero));
+
+    coupling_.follow(bodies_, ddt, g_, tchange.ref());
 
     return tchange;
 }

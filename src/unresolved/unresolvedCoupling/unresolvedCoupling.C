@@ -10,35 +10,6 @@ Foam::scalar Foam::unresolvedCoupling::diameter(const immersedBody& body)
 }
 
 
-const Foam::word& Foam::unresolvedCoupling::type
-(
-    const immersedBody& body
-) const
-{
-    return body.kind().coupling().empty() ? type_ : body.kind().coupling();
-}
-
-
-bool Foam::unresolvedCoupling::resolves
-(
-    const immersedBody& body,
-    const scalar h
-) const
-{
-    const word& t = type(body);
-
-    if (t != "auto")
-    {
-        return t == "resolved";
-    }
-
-    // Else one that moves along where the cells change size would be neither
-    const scalar hysteresis = body.resolved() ? 1 : 1.1;
-
-    return body.shape().width() >= hysteresis*resolvedFrom_*h;
-}
-
-
 Foam::scalar Foam::unresolvedCoupling::cellSize(const point& x) const
 {
     const label celli = search_.findCell(x);
@@ -53,18 +24,21 @@ Foam::scalar Foam::unresolvedCoupling::largestCell
     const scalar radius
 ) const
 {
-    const bodyKernel& kernel = grains_[bodyi].kernel;
+    const pointField& C = mesh_.cellCentres();
     scalar largest = 0;
 
-    forAll(kernel.cells, i)
-    {
-        const scalar h = search_.hMax(kernel.cells[i]);
-
-        if (mag(kernel.r(i, mesh_.cellCentres())) < radius + 0.5*h)
+    grains_[bodyi].kernel.forCells
+    (
+        [&](const label celli, const scalar, const point& x, const vector&)
         {
-            largest = max(largest, h);
+            const scalar h = search_.hMax(celli);
+
+            if (mag(C[celli] - x) < radius + 0.5*h)
+            {
+                largest = max(largest, h);
+            }
         }
-    }
+    );
 
     return largest;
 }
@@ -76,12 +50,12 @@ void Foam::unresolvedCoupling::check
     grain& one
 ) const
 {
-    if (frozen_ && type(body) != "unresolved")
+    if (frozen_ && choice_.type(body) != "unresolved")
     {
         FatalErrorInFunction
             << "'fluid frozen' in 'coupling' of immersedBodyProperties"
             << " needs bodies that are all unresolved, and "
-            << body.name() << " is of the type '" << type(body)
+            << body.name() << " is of the type '" << choice_.type(body)
             << "'" << nl << exit(FatalError);
     }
 
@@ -90,16 +64,16 @@ void Foam::unresolvedCoupling::check
         checkDense(body);
     }
 
-    if (body.kind().restrained() && type(body) != "resolved")
+    if (body.kind().restrained() && choice_.type(body) != "resolved")
     {
         FatalErrorInFunction
             << "'restraints' in immersedBodyProperties need bodies that are"
             << " resolved, and " << body.name() << " is of the type '"
-            << type(body) << "'; use 'coupling resolved' for it" << nl
+            << choice_.type(body) << "'; use 'coupling resolved' for it" << nl
             << exit(FatalError);
     }
 
-    if (type(body) != "resolved")
+    if (choice_.type(body) != "resolved")
     {
         one.shape.reset(shapeModel::New(shapes_, body.shape()).ptr());
     }
@@ -168,13 +142,13 @@ void Foam::unresolvedCoupling::normalise
 
         sums[n*i] = kernel.sum(mesh_.V());
 
-        if (kernel.centreCell >= 0)
+        if (kernel.centreCell() >= 0)
         {
             sums[n*i + 1] = 1;
-            sums[n*i + 2] = search_.hMax(kernel.centreCell);
+            sums[n*i + 2] = search_.hMax(kernel.centreCell());
         }
-        sums[n*i + 3] = kernel.nBeside;
-        sums[n*i + 4] = kernel.hBeside;
+        sums[n*i + 3] = kernel.nBeside();
+        sums[n*i + 4] = kernel.hBeside();
     }
 
     compat::allReduce(sums, plusEqOp<scalar>());
@@ -189,55 +163,24 @@ void Foam::unresolvedCoupling::normalise
         if (found > 0)
         {
             h[i] = sums[at + 1]/found;
-            grains_[i].kernel.normalise(sums[n*i]);
         }
-        else
-        {
-            grains_[i].kernel.weight = scalar(0);
-        }
+        grains_[i].kernel.normalise(found > 0 ? sums[n*i] : 0);
     }
 }
 
 
 void Foam::unresolvedCoupling::cover(const PtrList<immersedBody>& bodies)
 {
-    for (const label celli : covered_)
-    {
-        fraction_[celli] = crowd_[celli] = 0;
-    }
     covered_.clear();
 
-    if (active() && fraction_.empty())
+    forAll(bodies, i)
     {
-        fraction_.resize(mesh_.nCells(), Zero);
-        crowd_.resize(mesh_.nCells(), Zero);
-    }
-
-    forAll(bodies, bodyi)
-    {
-        const bodyKernel& kernel = grains_[bodyi].kernel;
-        const scalar V = bodies[bodyi].volume();
-        const scalar D = diameter(bodies[bodyi]);
-
-        forAll(kernel.cells, i)
+        if (!bodies[i].resolved())
         {
-            const label celli = kernel.cells[i];
-
-            if (crowd_[celli] == 0)
-            {
-                covered_.append(celli);
-            }
-            fraction_[celli] += kernel.weight[i]*V;
-            crowd_[celli] += kernel.weight[i]*D;
+            covered_.cover
+            (
+                grains_[i].kernel, bodies[i].volume(), diameter(bodies[i])
+            );
         }
-    }
-}
-
-
-void Foam::unresolvedCoupling::addFraction(scalarField& fraction) const
-{
-    for (const label celli : covered_)
-    {
-        fraction[celli] += fraction_[celli];
     }
 }

@@ -1,90 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "unresolvedCoupling.H"
-#include "checkKeywords.H"
 #include "unresolvedMotion.H"
 
 namespace
 {
 
-//- Spread the reaction to the force on a grain with its kernel, see linearise()
-void spread
+//- Add the force on a grain, spread with its kernel, to forces in cells
+void addInCells
 (
     const Foam::bodyKernel& kernel,
     const Foam::grainForce& F,
-    Foam::scalarField& drag,
-    Foam::scalarField& part,
-    Foam::vectorField& force
+    Foam::UList<Foam::grainForce>& inCells
 )
 {
-    forAll(kernel.cells, i)
-    {
-        const Foam::label celli = kernel.cells[i];
+    kernel.forCells
+    (
+        [&]
+        (
+            const Foam::label celli,
+            const Foam::scalar w,
+            const Foam::point&,
+            const Foam::vector& imageU
+        )
+        {
+            Foam::grainForce& sum = inCells[celli];
 
-        drag[celli] += kernel.weight[i]*F.k;
-        part[celli] -= kernel.weight[i]*F.v;
-        force[celli] -= kernel.weight[i]*(F.f - F.k*kernel.imageU(i));
-    }
+            sum.k += w*F.k;
+            sum.v += w*F.v;
+            sum.f += w*(F.f - F.k*imageU);
+        }
+    );
 }
 
 } // End anonymous namespace
-
-
-void Foam::unresolvedCoupling::checkDense(const dictionary& coupling) const
-{
-    if (type_ != "unresolved")
-    {
-        FatalIOErrorInFunction(coupling)
-            << "'voidFraction yes' in 'coupling' needs 'type unresolved' there"
-            << " and not '" << type_ << "'" << nl << exit(FatalIOError);
-    }
-
-    if (fluid(coupling) != "solved")
-    {
-        FatalIOErrorInFunction(coupling)
-            << "'voidFraction yes' in 'coupling' needs 'fluid solved' there"
-            << " and not '" << fluid(coupling) << "'" << nl
-            << exit(FatalIOError);
-    }
-
-    if (minVoid_ >= 1)
-    {
-        FatalIOErrorInFunction(coupling)
-            << "'minVoidFraction " << minVoid_ << "' in 'coupling' must be"
-            << " less than 1" << nl << exit(FatalIOError);
-    }
-}
-
-
-void Foam::unresolvedCoupling::checkDense(const immersedBody& body) const
-{
-    const dictionary dict
-    (
-        fileName(mesh_.time().constant()/"immersedBodyProperties")
-    );
-
-    if (type(body) != "unresolved")
-    {
-        FatalIOErrorInFunction(dict)
-            << "'voidFraction yes' in 'coupling' needs bodies that are all"
-            << " 'unresolved', and " << body.name() << " is of the type '"
-            << type(body) << "'" << nl << exit(FatalIOError);
-    }
-
-    const vector free
-    (
-        body.isFree() ? body.status().freedom().U() : vector::zero
-    );
-
-    if (cmptMax(free) != cmptMin(free))
-    {
-        FatalIOErrorInFunction(dict)
-            << "'voidFraction yes' in 'coupling' needs bodies that move freely"
-            << " or in no direction: 'translate' in 'constraints' of "
-            << body.name() << " is " << free
-            << ", allowed are (1 1 1) and (0 0 0)" << nl << exit(FatalIOError);
-    }
-}
 
 
 template<class Value>
@@ -94,18 +43,25 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
     const Value& value
 ) const
 {
-    const scalarField& V = mesh_.V();
     scalarField sums(3*n, Zero);
 
     for (label bodyi = 0; bodyi < n; ++bodyi)
     {
-        const bodyKernel& kernel = grains_[bodyi].kernel;
         vector mean(Zero);
 
-        forAll(kernel.cells, i)
-        {
-            mean += kernel.weight[i]*V[kernel.cells[i]]*value(bodyi, i);
-        }
+        grains_[bodyi].kernel.forCells
+        (
+            [&]
+            (
+                const label celli,
+                const scalar w,
+                const point&,
+                const vector& imageU
+            )
+            {
+                mean += w*covered_[celli].V*value(bodyi, celli, imageU);
+            }
+        );
         for (direction k = 0; k < 3; ++k)
         {
             sums[3*bodyi + k] = mean[k];
@@ -134,15 +90,17 @@ void Foam::unresolvedCoupling::setForces
     const vectorField& a
 )
 {
-    const List<fluidSample> samples(sample(bodies, ddt, flow));
+    covered_.gather(ddt, flow);
+
+    const List<fluidSample> samples(sample(bodies));
     const vectorField pressure
     (
         kernelMeans
         (
             bodies.size(),
-            [&](const label bodyi, const label i)
+            [&](const label, const label celli, const vector&)
             {
-                return a[grains_[bodyi].kernel.cells[i]];
+                return a[celli];
             }
         )
     );
@@ -199,9 +157,18 @@ void Foam::unresolvedCoupling::linearise
     // The cells of a kernel are those of any rank
     share_.give(forces_);
 
+    // All of a cell side by side, see carrierCells
+    List<grainForce> inCells(mesh_.nCells());
+
     forAll(bodies, bodyi)
     {
-        spread(grains_[bodyi].kernel, forces_[bodyi], drag, part, force);
+        addInCells(grains_[bodyi].kernel, forces_[bodyi], inCells);
+    }
+    forAll(inCells, celli)
+    {
+        drag[celli] += inCells[celli].k;
+        part[celli] -= inCells[celli].v;
+        force[celli] -= inCells[celli].f;
     }
 }
 
@@ -220,13 +187,11 @@ void Foam::unresolvedCoupling::advance
         kernelMeans
         (
             bodies.size(),
-            [&](const label bodyi, const label i)
+            [&](const label bodyi, const label celli, const vector& imageU)
             {
-                const bodyKernel& kernel = grains_[bodyi].kernel;
                 const grainForce& f = forces_[bodyi];
-                const label celli = kernel.cells[i];
 
-                return f.k*(U[celli] - kernel.imageU(i)) + f.v*a[celli];
+                return f.k*(U[celli] - imageU) + f.v*a[celli];
             }
         )
     );

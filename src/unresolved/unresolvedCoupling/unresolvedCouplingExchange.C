@@ -5,56 +5,37 @@
 
 Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 (
-    const PtrList<immersedBody>& bodies,
-    const ddtCoefficients& ddt,
-    const carrierFlow& flow
+    const PtrList<immersedBody>& bodies
 ) const
 {
-    const scalarField& V = mesh_.V();
-    const pointField& C = mesh_.cellCentres();
-    const volVectorField& U = flow.U;
-    const vectorField& U0 = U.oldTime();
-    const vectorField& U00 = ddt.c00 != 0 ? U.oldTime().oldTime() : U0;
     List<fluidSample> samples(bodies.size());
 
     forAll(bodies, bodyi)
     {
-        const bodyKernel& kernel = grains_[bodyi].kernel;
-        const scalar D = diameter(bodies[bodyi]);
+        fluidSample& sum = samples[bodyi];
+        const scalar perD = frozen_ ? 0 : 1/diameter(bodies[bodyi]);
 
-        forAll(kernel.cells, i)
-        {
-            const label celli = kernel.cells[i];
-            const scalar weight = kernel.weight[i]*V[celli];
-
-            samples[bodyi].add
+        grains_[bodyi].kernel.forCells
+        (
+            [&]
             (
-                weight,
-                kernel.r(i, C),
-                U[celli] - kernel.imageU(i),
-                flow.ddtU
-              ? (*flow.ddtU)[celli]
-              : ddt(U[celli], U0[celli], U00[celli])
-            );
-            samples[bodyi].addScalars
-            (
-                weight,
-                flow.nu[celli],
-                flow.nuEff[celli],
-                kernel.weight[i],
-                fraction_[celli],
-                frozen_ ? 0 : crowd_[celli]/D
-            );
-            if (flow.k)
+                const label celli,
+                const scalar w,
+                const point& x,
+                const vector& imageU
+            )
             {
-                samples[bodyi].addTurbulence
+                const carrierCells::cell& c = covered_[celli];
+                const scalar weight = w*c.V;
+
+                sum.add(weight, c.C - x, c.U - imageU, c.ddtU);
+                sum.addScalars
                 (
-                    weight,
-                    (*flow.k)[celli],
-                    (*flow.epsilon)[celli]
+                    weight, c.nu, c.nuEff, w, c.fraction, perD*c.crowd
                 );
+                sum.addTurbulence(weight, c.k, c.epsilon);
             }
-        }
+        );
     }
 
     if (Pstream::parRun())
@@ -121,10 +102,23 @@ void Foam::unresolvedCoupling::correct
     const ddtCoefficients& ddt,
     const vector& g,
     const vector& meshU,
-    const carrierFlow& flow
-) const
+    const carrierFlow& flow,
+    vectorField& force
+)
 {
-    const List<fluidSample> samples(sample(bodies, ddt, flow));
+    covered_.gather(ddt, flow);
+
+    const vectorField before(loads(bodies));
+    const List<fluidSample> samples(sample(bodies));
+
+    // With resolved bodies further iterations may come, see follow()
+    const bool keep = nUnresolved_ < bodies.size();
+
+    if (keep)
+    {
+        torques_.resize(bodies.size());
+        moved_.resize(bodies.size());
+    }
 
     forAll(bodies, i)
     {
@@ -153,66 +147,16 @@ void Foam::unresolvedCoupling::correct
         {
             body.correctVelocity(motion.load(body, ddt), ddt, g);
         }
+
+        if (keep)
+        {
+            const bodyState& state = body.state();
+
+            torques_[i] = motion.torque();
+            moved_[i] = moved{state.U, state.omega, motion.load(body, ddt).a};
+        }
     }
 
     giveCorrections(bodies);
-}
-
-
-void Foam::unresolvedCoupling::giveCorrections
-(
-    PtrList<immersedBody>& bodies
-) const
-{
-    if (!share_.active())
-    {
-        return;
-    }
-
-    List<correction> all(bodies.size());
-
-    forAll(all, i)
-    {
-        if (share_.mine(i))
-        {
-            const bodyState& state = bodies[i].state();
-
-            all[i] = correction{state.U, state.omega, bodies[i].fluid()};
-        }
-    }
-
-    share_.give(all);
-
-    forAll(all, i)
-    {
-        if (!share_.mine(i) && !bodies[i].resolved() && grains_[i].inside)
-        {
-            bodyState state(bodies[i].state());
-
-            state.U = all[i].U;
-            state.omega = all[i].omega;
-            bodies[i].setState(state);
-            bodies[i].fluid() = all[i].fluid;
-        }
-    }
-}
-
-
-void Foam::unresolvedCoupling::addLoads
-(
-    const PtrList<immersedBody>& bodies,
-    const scalar factor,
-    vectorField& force
-) const
-{
-    forAll(bodies, bodyi)
-    {
-        const bodyKernel& kernel = grains_[bodyi].kernel;
-        const vector P(factor*bodies[bodyi].fluid().load().linear);
-
-        forAll(kernel.cells, i)
-        {
-            force[kernel.cells[i]] += kernel.weight[i]*P;
-        }
-    }
+    spread(loads(bodies) - before, force);
 }

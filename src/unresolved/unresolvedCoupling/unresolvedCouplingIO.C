@@ -3,11 +3,6 @@
 #include "unresolvedCoupling.H"
 #include "checkKeywords.H"
 
-const Foam::wordList Foam::unresolvedCoupling::types
-({
-    "resolved", "unresolved", "auto"
-});
-
 const Foam::wordList Foam::unresolvedCoupling::keywords
 ({
     "type", "resolvedFrom", "dragModel", "dispersion", "lift", "shapeModel",
@@ -44,8 +39,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     mesh_(search.mesh()),
     search_(search),
     periods_(periods),
-    type_(Foam::keywords::choice(dict, "type", types, "resolved")),
-    resolvedFrom_(Foam::keywords::positiveOr(dict, "resolvedFrom", 4)),
+    choice_(dict),
     frozen_(fluid(dict) == "frozen"),
     dense_(voidFraction(dict)),
     minVoid_(Foam::keywords::positiveOr(dict, "minVoidFraction", 0.3)),
@@ -55,6 +49,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     shapes_(dict.subOrEmptyDict("shapeModel")),
     centres_(mesh_.cellCentres(), false),
     grains_(bodies),
+    covered_(mesh_),
     nUnresolved_(0)
 {
     const dictionary& kernel = dict.subOrEmptyDict("kernel");
@@ -76,11 +71,11 @@ Foam::unresolvedCoupling::unresolvedCoupling
             << exit(FatalIOError);
     }
 
-    bool wanted = type_ != "resolved";
+    bool wanted = choice_.type() != "resolved";
 
     for (const immersedBody& body : bodies)
     {
-        wanted = wanted || type(body) != "resolved";
+        wanted = wanted || choice_.type(body) != "resolved";
     }
 
     if (wanted && space.twoD())
@@ -102,14 +97,67 @@ Foam::unresolvedCoupling::unresolvedCoupling
 }
 
 
+void Foam::unresolvedCoupling::checkDense(const dictionary& coupling) const
+{
+    if (choice_.type() != "unresolved")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'voidFraction yes' in 'coupling' needs 'type unresolved' there"
+            << " and not '" << choice_.type() << "'" << nl
+            << exit(FatalIOError);
+    }
+
+    if (fluid(coupling) != "solved")
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'voidFraction yes' in 'coupling' needs 'fluid solved' there"
+            << " and not '" << fluid(coupling) << "'" << nl
+            << exit(FatalIOError);
+    }
+
+    if (minVoid_ >= 1)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "'minVoidFraction " << minVoid_ << "' in 'coupling' must be"
+            << " less than 1" << nl << exit(FatalIOError);
+    }
+}
+
+
+void Foam::unresolvedCoupling::checkDense(const immersedBody& body) const
+{
+    const dictionary dict
+    (
+        fileName(mesh_.time().constant()/"immersedBodyProperties")
+    );
+
+    if (choice_.type(body) != "unresolved")
+    {
+        FatalIOErrorInFunction(dict)
+            << "'voidFraction yes' in 'coupling' needs bodies that are all"
+            << " 'unresolved', and " << body.name() << " is of the type '"
+            << choice_.type(body) << "'" << nl << exit(FatalIOError);
+    }
+
+    const vector free
+    (
+        body.isFree() ? body.status().freedom().U() : vector::zero
+    );
+
+    if (cmptMax(free) != cmptMin(free))
+    {
+        FatalIOErrorInFunction(dict)
+            << "'voidFraction yes' in 'coupling' needs bodies that move freely"
+            << " or in no direction: 'translate' in 'constraints' of "
+            << body.name() << " is " << free
+            << ", allowed are (1 1 1) and (0 0 0)" << nl << exit(FatalIOError);
+    }
+}
+
+
 void Foam::unresolvedCoupling::report(Ostream& os) const
 {
-    os  << type_;
-
-    if (type_ == "auto")
-    {
-        os  << ", from " << resolvedFrom_ << " cells per width";
-    }
+    choice_.report(os);
     os  << ", " << nUnresolved_ << " unresolved, drag of " << drag_->type()
         << ", kernels of " << kernelCells_ << " cells or "
         << kernelDiameters_ << " diameters";

@@ -20,25 +20,6 @@ Foam::fluidSample::fluidSample()
 {}
 
 
-void Foam::fluidSample::add
-(
-    const scalar weight,
-    const vector& r,
-    const vector& U,
-    const vector& ddtU
-)
-{
-    const vector wr(weight*r);
-
-    sum_ += weight;
-    r_ += wr;
-    U_ += weight*U;
-    rr_ += weight*sqr(r);
-    rU_ += wr*U;
-    ddtU_ += weight*ddtU;
-}
-
-
 Foam::tensor Foam::fluidSample::gradient() const
 {
     const vector r(r_/sum_);
