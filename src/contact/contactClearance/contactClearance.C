@@ -42,9 +42,12 @@ Foam::labelList Foam::contactClearance::due()
 {
     if (dueValid_)
     {
-        labelList now(std::move(due_[step_]));
+        // Sorted: many of them in no order
+        isDue_.set(due_[step_]);
 
-        Foam::sort(now);
+        const labelList now(isDue_.sortedToc());
+
+        isDue_.unset(due_[step_]);
 
         return now;
     }
@@ -55,6 +58,7 @@ Foam::labelList Foam::contactClearance::due()
         pairs.clear();
     }
     dueValid_ = true;
+    isDue_.resize(pairs_.size());
 
     return identity(pairs_.size());
 }
