@@ -18,6 +18,7 @@ Foam::cellSearch::cellSearch(const fvMesh& mesh, const geometricSpace& space)
         zeroGradientFvPatchSymmTensorField::typeName
     ),
     hMax_(0),
+    bounds_(mesh.points(), false),
     uniform_(false),
     boxes_(mesh.nCells()),
     inside_(mesh.boundaryMesh().size()),
@@ -93,6 +94,8 @@ void Foam::cellSearch::findSizes(const geometricSpace& space)
         hMax_ = max(hMax_, hMax(celli));
     }
     reduce(hMax_, maxOp<scalar>());
+    bounds_.min() -= vector::uniform(0.5*hMax_);
+    bounds_.max() += vector::uniform(0.5*hMax_);
 
     const vector h2(sqr(hMax_)*(vector::one - space.emptyDir()));
     const symmTensor cube(h2.x(), 0, 0, h2.y(), 0, h2.z());

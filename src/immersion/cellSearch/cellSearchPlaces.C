@@ -85,7 +85,7 @@ bool Foam::cellSearch::contains(const label celli, const point& x) const
 
 Foam::label Foam::cellSearch::findCell(const point& x) const
 {
-    const label first = nearest(x);
+    const label first = bounds_.contains(x) ? nearest(x) : -1;
 
     if (first < 0 || contains(first, x))
     {
