@@ -81,14 +81,35 @@ void Foam::unresolvedCoupling::check
 }
 
 
+void Foam::unresolvedCoupling::sort(const PtrList<immersedBody>& bodies)
+{
+    DynamicList<label> unresolved(bodies.size());
+    DynamicList<point> x(bodies.size());
+
+    forAll(bodies, i)
+    {
+        if (!bodies[i].resolved())
+        {
+            unresolved.append(i);
+            x.append(bodies[i].state().position);
+        }
+    }
+    nUnresolved_ = x.size();
+
+    // About one in each cube
+    const scalar side =
+        boundBox(x, false).mag()/cbrt(max(scalar(nUnresolved_), scalar(1)));
+
+    ordered_ = UIndirectList<label>(unresolved, pointGrid(x, side).points());
+}
+
+
 void Foam::unresolvedCoupling::update
 (
     const PtrList<immersedBody>& bodies,
     scalarList& h
 )
 {
-    nUnresolved_ = 0;
-
     forAll(bodies, i)
     {
         grain& one = grains_[i];
@@ -97,15 +118,16 @@ void Foam::unresolvedCoupling::update
         {
             check(bodies[i], one);
         }
-
         if (bodies[i].resolved())
         {
             one.kernel.clear();
-            continue;
         }
+    }
+    sort(bodies);
 
-        ++nUnresolved_;
-        one.kernel.update
+    for (const label i : ordered_)
+    {
+        grains_[i].kernel.update
         (
             bodies[i].state().position,
             max(kernelCells_*h[i], kernelDiameters_*diameter(bodies[i])),
@@ -173,14 +195,11 @@ void Foam::unresolvedCoupling::cover(const PtrList<immersedBody>& bodies)
 {
     covered_.clear();
 
-    forAll(bodies, i)
+    for (const label i : ordered_)
     {
-        if (!bodies[i].resolved())
-        {
-            covered_.cover
-            (
-                grains_[i].kernel, bodies[i].volume(), diameter(bodies[i])
-            );
-        }
+        covered_.cover
+        (
+            grains_[i].kernel, bodies[i].volume(), diameter(bodies[i])
+        );
     }
 }

@@ -45,7 +45,7 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 {
     scalarField sums(3*n, Zero);
 
-    for (label bodyi = 0; bodyi < n; ++bodyi)
+    for (const label bodyi : ordered_)
     {
         vector mean(Zero);
 
@@ -160,7 +160,7 @@ void Foam::unresolvedCoupling::linearise
     // All of a cell side by side, see carrierCells
     List<grainForce> inCells(mesh_.nCells());
 
-    forAll(bodies, bodyi)
+    for (const label bodyi : ordered_)
     {
         addInCells(grains_[bodyi].kernel, forces_[bodyi], inCells);
     }

@@ -10,7 +10,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 {
     List<fluidSample> samples(bodies.size());
 
-    forAll(bodies, bodyi)
+    for (const label bodyi : ordered_)
     {
         fluidSample& sum = samples[bodyi];
         const scalar perD = frozen_ ? 0 : 1/diameter(bodies[bodyi]);

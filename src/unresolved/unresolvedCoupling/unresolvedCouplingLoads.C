@@ -123,14 +123,9 @@ void Foam::unresolvedCoupling::spread
     vectorField& force
 ) const
 {
-    forAll(P, bodyi)
+    for (const label bodyi : ordered_)
     {
         const vector& Pi = P[bodyi];
-
-        if (Pi == vector::zero)
-        {
-            continue;
-        }
 
         grains_[bodyi].kernel.forCells
         (
