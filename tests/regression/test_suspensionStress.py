@@ -125,18 +125,19 @@ def test_two_that_are_pressed_onto_each_other(tmp_path):
     """Their contact has the force times the distance, over the volume."""
     case = sheared_box(tmp_path, "box", 2, 32, rate=0)
     force = 0.01
-    one = DISC.format(0.25, 5, "(-0.2499 0 0)").replace(
+    # As deep as contact holds the force: a fluid that is squeezed between them
+    # takes long to let go
+    one = DISC.format(0.25, 5, "(-0.249986 0 0)").replace(
         "densityRatio", PUSH.format(force))
-    other = DISC.format(0.25, 5, "(0.2499 0 0)").replace(
+    other = DISC.format(0.25, 5, "(0.249986 0 0)").replace(
         "densityRatio", PUSH.format(-force)).replace("disc\n", "other\n")
     case.bodies(one + other, CONTACT)
     row = run(case, 0.5, 0.02)
     x = [case.table("motion", body)["position_x"][-1] for body in (0, 1)]
     contact = part(row, "contact")
 
-    # The fluid between them keeps a per cent of the force
     pressed = case.table("forces", 1)["contactForce_x"][-1]
-    assert pressed == pytest.approx(force, rel=0.01)
+    assert pressed == pytest.approx(force, rel=0.002)
 
     volume = 2*2*0.1
     assert contact[0, 0] == pytest.approx(

@@ -44,7 +44,7 @@ periodicity periods()
 } // End anonymous namespace
 
 
-TEST_CASE("Regions are those of resolved bodies, then images", "[bodyRegions]")
+TEST_CASE("Regions are those of resolved bodies and images", "[bodyRegions]")
 {
     const periodicity box(periods());
     PtrList<immersedBody> bodies(row());
@@ -54,27 +54,72 @@ TEST_CASE("Regions are those of resolved bodies, then images", "[bodyRegions]")
     regions.update(bodies, bandWidth);
     REQUIRE(regions.complete(bodies));
 
-    label n = 0;
+    label nBodies = 0, nImages = 0;
+
     forAll(bodies, i)
     {
         if (bodies[i].resolved())
         {
-            CHECK(&regions[i] == &regions.all()[n]);
-            CHECK(regions.all()[n].body() == i);
-            CHECK(regions.all()[n++].shift() == vector::zero);
+            CHECK(regions[i].body() == i);
+            CHECK(regions[i].shift() == vector::zero);
+            ++nBodies;
         }
     }
 
     // At both ends of the box
-    REQUIRE(regions.all().size() > n);
-    for (; n < regions.all().size(); ++n)
+    for (const bodyRegion& one : regions.all())
     {
-        const bodyRegion& image = regions.all()[n];
-        const scalar x = image.centre(bodies[image.body()].state()).x();
+        if (one.shift() != vector::zero)
+        {
+            const scalar x = one.centre(bodies[one.body()].state()).x();
 
-        CHECK(mag(image.shift()) == testTools::near(10));
-        CHECK(min(mag(x), mag(x - 10)) < 2);
+            CHECK(mag(one.shift()) == testTools::near(10));
+            CHECK(min(mag(x), mag(x - 10)) < 2);
+            ++nImages;
+        }
     }
+    CHECK(nImages > 0);
+    CHECK(regions.all().size() == nBodies + nImages);
+}
+
+
+TEST_CASE("Regions come in the order of their places", "[bodyRegions]")
+{
+    const periodicity box(periods());
+    PtrList<immersedBody> bodies(row());
+    bodyRegions regions(box);
+
+    const auto inOrder = [&]()
+    {
+        scalar before = -GREAT;
+        bool ordered = true;
+
+        for (const bodyRegion& one : regions.all())
+        {
+            const scalar x = one.centre(bodies[one.body()].state()).x();
+
+            // But for those of the same cube of the grid
+            ordered = ordered && x > before - 1;
+            before = x;
+        }
+
+        return ordered;
+    };
+
+    regions.update(bodies, bandWidth);
+    CHECK(inOrder());
+
+    // In the next time step, not within one
+    bodyState last(bodies[0].state());
+    last.position.x() = 6;
+    bodies[0].setState(last);
+
+    regions.update(bodies, bandWidth, true);
+    const bodyRegion* moved = &regions[0];
+
+    regions.update(bodies, bandWidth);
+    CHECK(inOrder());
+    CHECK(&regions[0] == moved);
 }
 
 

@@ -6,8 +6,8 @@
 namespace
 {
 
-//- Set `all` to the labels of all regions, each once; size: one more than the
-//  largest of them
+//- Set `all` to the labels of all regions, each once and in ascending order,
+//  as fields lie in memory; size: one more than the largest of them
 void unite
 (
     const Foam::PtrList<Foam::bodyRegion>& regions,
@@ -16,8 +16,6 @@ void unite
     Foam::DynamicList<Foam::label>& all
 )
 {
-    all.clear();
-
     if (regions.size() == 1)
     {
         all = regions[0].*labels;
@@ -28,14 +26,10 @@ void unite
 
     for (const Foam::bodyRegion& region : regions)
     {
-        for (const Foam::label i : region.*labels)
-        {
-            if (met.set(i))
-            {
-                all.append(i);
-            }
-        }
+        met.set(region.*labels);
     }
+
+    all = met.sortedToc();
 }
 
 } // End anonymous namespace
@@ -219,7 +213,10 @@ Foam::bodyRegion::change Foam::bodyBands::update
         changed || selection_.over() || !regions_.complete(bodies);
     change most = others ? change::anew : change::none;
 
-    regions_.update(bodies, resistance_.bandWidth());
+    regions_.update
+    (
+        bodies, resistance_.bandWidth(), again && !changed
+    );
 
     for (bodyRegion& region : regions())
     {

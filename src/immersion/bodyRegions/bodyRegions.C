@@ -1,93 +1,112 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyRegions.H"
+#include "ListOps.H"
+#include "pointGrid.H"
 
 namespace
 {
-
-//- The region of a list for an image of a body, -1 if there is none
-Foam::label findFor
-(
-    const Foam::PtrList<Foam::bodyRegion>& regions,
-    const Foam::label bodyi,
-    const Foam::periodicity::image& im
-)
-{
-    forAll(regions, i)
+    //- The body itself
+    const Foam::periodicity::image itself
     {
-        if (regions.set(i) && regions[i].isFor(bodyi, im))
+        Foam::Zero, Foam::Zero, Foam::Zero
+    };
+}
+
+
+Foam::bodyRegions::bodyRegions(const periodicity& periods)
+:
+    periodicity_(periods)
+{}
+
+
+Foam::label Foam::bodyRegions::find
+(
+    const label bodyi,
+    const periodicity::image& im
+) const
+{
+    if (bodyi < ofBody_.size())
+    {
+        for (const label i : ofBody_[bodyi])
         {
-            return i;
+            if (regions_.set(i) && regions_[i].isFor(bodyi, im))
+            {
+                return i;
+            }
         }
     }
 
     return -1;
 }
 
-} // End anonymous namespace
 
+void Foam::bodyRegions::index()
+{
+    labelList of(regions_.size());
+    label nBodies = 0;
 
-Foam::bodyRegions::bodyRegions(const periodicity& periods)
-:
-    periodicity_(periods),
-    nBodies_(0)
-{}
+    forAll(of, i)
+    {
+        of[i] = regions_[i].body();
+        nBodies = max(nBodies, of[i] + 1);
+    }
+
+    ofBody_ = invertOneToMany(nBodies, of);
+}
 
 
 const Foam::bodyRegion& Foam::bodyRegions::operator[](const label bodyi) const
 {
-    // The first that is not of a body before
-    label first = 0, end = nBodies_;
+    const label i = find(bodyi, itself);
 
-    while (first < end)
-    {
-        const label middle = (first + end)/2;
-
-        if (regions_[middle].body() < bodyi)
-        {
-            first = middle + 1;
-        }
-        else
-        {
-            end = middle;
-        }
-    }
-
-    if (first == nBodies_ || regions_[first].body() != bodyi)
+    if (i < 0)
     {
         FatalErrorInFunction
             << "There is no region of body " << bodyi << nl
             << abort(FatalError);
     }
 
-    return regions_[first];
+    return regions_[i];
 }
 
 
 bool Foam::bodyRegions::complete(const PtrList<immersedBody>& bodies) const
 {
-    label n = 0;
-
     forAll(bodies, bodyi)
     {
-        if (bodies[bodyi].resolved())
+        if (bodies[bodyi].resolved() != (find(bodyi, itself) >= 0))
         {
-            if (n == nBodies_ || regions_[n].body() != bodyi)
-            {
-                return false;
-            }
-            ++n;
+            return false;
         }
     }
 
-    return n == nBodies_;
+    return true;
+}
+
+
+bool Foam::bodyRegions::are
+(
+    const UList<label>& of,
+    const UList<periodicity::image>& images
+) const
+{
+    forAll(of, i)
+    {
+        if (find(of[i], images[i]) < 0)
+        {
+            return false;
+        }
+    }
+
+    return of.size() == regions_.size();
 }
 
 
 void Foam::bodyRegions::remove(const label bodyi)
 {
     PtrList<bodyRegion> others(regions_.size());
-    label n = 0, nBodies = 0;
+    label n = 0;
 
     forAll(regions_, i)
     {
@@ -95,97 +114,101 @@ void Foam::bodyRegions::remove(const label bodyi)
         {
             others.set(n, regions_.release(i));
             others[n++].moveUp(bodyi);
-            nBodies += i < nBodies_;
         }
     }
 
     others.resize(n);
     regions_.transfer(others);
-    nBodies_ = nBodies;
+    index();
 }
 
 
 void Foam::bodyRegions::update
 (
     const PtrList<immersedBody>& bodies,
-    const scalar bandWidth
+    const scalar bandWidth,
+    const bool again
 )
 {
-    const periodicity::image itself{Zero, Zero, Zero};
     DynamicList<label> of;
     DynamicList<periodicity::image> images;
+    DynamicList<point> x;
+
+    const auto append = [&](const label bodyi, const periodicity::image& im)
+    {
+        of.append(bodyi);
+        images.append(im);
+        x.append(bodies[bodyi].state().position + im.shift);
+    };
 
     forAll(bodies, bodyi)
     {
-        if (bodies[bodyi].resolved())
-        {
-            of.append(bodyi);
-            images.append(itself);
-        }
-    }
-
-    nBodies_ = of.size();
-
-    for (label i = 0; i < nBodies_ && periodicity_.active(); ++i)
-    {
-        const label bodyi = of[i];
         const immersedBody& body = bodies[bodyi];
-        const scalar reach = bodyRegion::reach(body, bandWidth);
+
+        if (!body.resolved())
+        {
+            continue;
+        }
+
+        append(bodyi, itself);
+
+        if (!periodicity_.active())
+        {
+            continue;
+        }
 
         for
         (
             const periodicity::image& im
-          : periodicity_.localImages(body.state().position, reach)
+          : periodicity_.localImages
+            (
+                body.state().position, bodyRegion::reach(body, bandWidth)
+            )
         )
         {
             if (im.key != vector::zero)
             {
-                of.append(bodyi);
-                images.append(im);
+                append(bodyi, im);
             }
         }
     }
 
-    set(of, images);
+    if (!again || !are(of, images))
+    {
+        set(of, images, x);
+    }
+
+    for (label i = 0; i < of.size() && periodicity_.sliding(); ++i)
+    {
+        regions_[find(of[i], images[i])].slide(images[i]);
+    }
 }
 
 
 void Foam::bodyRegions::set
 (
     const UList<label>& of,
-    const UList<periodicity::image>& images
+    const UList<periodicity::image>& images,
+    const UList<point>& x
 )
 {
-    bool same = of.size() == regions_.size();
+    PtrList<bodyRegion> regions(of.size());
+    label n = 0;
 
-    for (label i = 0; i < of.size() && same; ++i)
+    for (const label i : pointGrid::placeOrder(x))
     {
-        same = regions_[i].isFor(of[i], images[i]);
-    }
+        const label old = find(of[i], images[i]);
 
-    if (!same)
-    {
-        PtrList<bodyRegion> regions(of.size());
-
-        forAll(regions, i)
+        if (old >= 0)
         {
-            const label oldi = findFor(regions_, of[i], images[i]);
-
-            if (oldi >= 0)
-            {
-                regions.set(i, regions_.release(oldi));
-            }
-            else
-            {
-                regions.set(i, new bodyRegion(of[i], images[i]));
-            }
+            regions.set(n++, regions_.release(old));
         }
-
-        regions_.transfer(regions);
+        else
+        {
+            regions.set(n++, new bodyRegion(of[i], images[i]));
+        }
     }
 
-    for (label i = 0; i < of.size() && periodicity_.sliding(); ++i)
-    {
-        regions_[i].slide(images[i]);
-    }
+    regions_.transfer(regions);
+    index();
 }

@@ -169,7 +169,7 @@ void Foam::comovingDerivative::update
     }
 
     faceAt_.resize(mesh_.nFaces(), -1);
-    near_.resize(regions.size());
+    near_.resize(bodies.size());
 
     forAll(regions, i)
     {

@@ -104,11 +104,13 @@ void Foam::comovingDerivative::addFarther
     const scalar end
 )
 {
-    if (!near_.set(regioni))
+    const label bodyi = region.body();
+
+    if (!near_.set(bodyi))
     {
-        near_.set(regioni, new nearFaces);
+        near_.set(bodyi, new nearFaces);
     }
-    nearFaces& near = near_[regioni];
+    nearFaces& near = near_[bodyi];
 
     near.update(body, region.shift(), search, end*h);
     add

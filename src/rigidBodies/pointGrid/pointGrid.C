@@ -56,3 +56,13 @@ Foam::pointGrid::pointGrid(const UList<point>& points, const scalar side)
         points_[next[cubeOf[i]]++] = i;
     }
 }
+
+
+Foam::labelList Foam::pointGrid::placeOrder(const UList<point>& points)
+{
+    // Of points on a line about one in each cube; for others these get larger
+    const scalar side =
+        boundBox(points, false).mag()/max(points.size(), 1);
+
+    return pointGrid(points, side).points_;
+}

@@ -96,11 +96,7 @@ void Foam::unresolvedCoupling::sort(const PtrList<immersedBody>& bodies)
     }
     nUnresolved_ = x.size();
 
-    // About one in each cube
-    const scalar side =
-        boundBox(x, false).mag()/cbrt(max(scalar(nUnresolved_), scalar(1)));
-
-    ordered_ = UIndirectList<label>(unresolved, pointGrid(x, side).points());
+    ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
 }
 
 
