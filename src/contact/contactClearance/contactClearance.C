@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactClearance.H"
+#include "bitSet.H"
 
 void Foam::contactClearance::reset(const label nMovers)
 {
@@ -42,14 +43,8 @@ Foam::labelList Foam::contactClearance::due()
 {
     if (dueValid_)
     {
-        // Sorted: many of them in no order
-        isDue_.set(due_[step_]);
-
-        const labelList now(isDue_.sortedToc());
-
-        isDue_.unset(due_[step_]);
-
-        return now;
+        // Many of them in no order: faster than to sort them
+        return bitSet(pairs_.size(), due_[step_]).sortedToc();
     }
 
     due_.resize(nSteps_);
@@ -58,7 +53,6 @@ Foam::labelList Foam::contactClearance::due()
         pairs.clear();
     }
     dueValid_ = true;
-    isDue_.resize(pairs_.size());
 
     return identity(pairs_.size());
 }

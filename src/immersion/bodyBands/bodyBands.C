@@ -16,12 +16,6 @@ void unite
     Foam::DynamicList<Foam::label>& all
 )
 {
-    if (regions.size() == 1)
-    {
-        all = regions[0].*labels;
-        return;
-    }
-
     Foam::bitSet met(size);
 
     for (const Foam::bodyRegion& region : regions)
@@ -213,10 +207,7 @@ Foam::bodyRegion::change Foam::bodyBands::update
         changed || selection_.over() || !regions_.complete(bodies);
     change most = others ? change::anew : change::none;
 
-    regions_.update
-    (
-        bodies, resistance_.bandWidth(), again && !changed
-    );
+    regions_.update(bodies, resistance_.bandWidth(), again);
 
     for (bodyRegion& region : regions())
     {

@@ -30,6 +30,7 @@ Foam::label Foam::bodyRegions::find
     {
         for (const label i : ofBody_[bodyi])
         {
+            // set() takes them out one by one
             if (regions_.set(i) && regions_[i].isFor(bodyi, im))
             {
                 return i;
@@ -85,7 +86,7 @@ bool Foam::bodyRegions::complete(const PtrList<immersedBody>& bodies) const
 }
 
 
-bool Foam::bodyRegions::are
+bool Foam::bodyRegions::same
 (
     const UList<label>& of,
     const UList<periodicity::image>& images
@@ -173,7 +174,7 @@ void Foam::bodyRegions::update
         }
     }
 
-    if (!again || !are(of, images))
+    if (!again || !same(of, images))
     {
         set(of, images, x);
     }

@@ -94,7 +94,6 @@ void Foam::unresolvedCoupling::sort(const PtrList<immersedBody>& bodies)
             x.append(bodies[i].state().position);
         }
     }
-    nUnresolved_ = x.size();
 
     ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
 }
@@ -133,7 +132,7 @@ void Foam::unresolvedCoupling::update
         );
     }
 
-    share_.divide(bodies.size(), nUnresolved_);
+    share_.divide(bodies.size(), nUnresolved());
 
     if (active())
     {

@@ -112,7 +112,7 @@ void Foam::unresolvedCoupling::correct
     const List<fluidSample> samples(sample(bodies));
 
     // With resolved bodies further iterations may come, see follow()
-    const bool keep = nUnresolved_ < bodies.size();
+    const bool keep = nUnresolved() < bodies.size();
 
     if (keep)
     {

@@ -49,8 +49,7 @@ Foam::unresolvedCoupling::unresolvedCoupling
     shapes_(dict.subOrEmptyDict("shapeModel")),
     centres_(mesh_.cellCentres(), false),
     grains_(bodies),
-    covered_(mesh_),
-    nUnresolved_(0)
+    covered_(mesh_)
 {
     const dictionary& kernel = dict.subOrEmptyDict("kernel");
 
@@ -158,7 +157,7 @@ void Foam::unresolvedCoupling::checkDense(const immersedBody& body) const
 void Foam::unresolvedCoupling::report(Ostream& os) const
 {
     choice_.report(os);
-    os  << ", " << nUnresolved_ << " unresolved, drag of " << drag_->type()
+    os  << ", " << nUnresolved() << " unresolved, drag of " << drag_->type()
         << ", kernels of " << kernelCells_ << " cells or "
         << kernelDiameters_ << " diameters";
 
