@@ -72,6 +72,14 @@ TEST_CASE("Velocities go on along their line or parabola", "[velocityTrend]")
     CHECK(again.next(1.5, false) == trend.next(1.5, false));
     CHECK(again.next(1.5, true) == trend.next(1.5, true));
 
+    // From rest, and by the parabola of the first three velocities
+    velocityTrend start;
+    start.note({4, 0, 0}, Zero, 1, true);
+    CHECK(start.next(1, true) == vector(4, 0, 0));
+
+    start.note({3.7, 0, 0}, {4, 0, 0}, 1, true);
+    CHECK(mag(start.next(1, true) - vector(3.4, 0, 0)) < 1e-12);
+
     // What does not change as expected does not go on; a line then
     trend.note({1, 0, 0}, {-1, 0, 0}, 1, true);
     CHECK(trend.next(1, true) == vector::zero);

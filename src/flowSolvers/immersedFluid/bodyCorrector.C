@@ -133,16 +133,18 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
     const scalar dt
 )
 {
+    const vector drive(flowRate_ ? flowRate_->acceleration() : vector::zero);
+
     if (bodies_.crowd().active())
     {
-        return bodies_.correctCrowd(p_, dt);
+        return bodies_.correctCrowd(p_, drive, dt);
     }
     if (iteration_.first() || !layersServe())
     {
         return 0;
     }
 
-    const scalar change = bodies_.pressure().update(p_, dt);
+    const scalar change = bodies_.pressure().update(p_, drive, dt);
 
     // The second one is compared with nothing of this time step; from the third
     // one on added mass helps

@@ -6,6 +6,10 @@ namespace
 {
     //- Part of an error that corrects the change besides its own change
     const Foam::scalar alpha = 0.3;
+
+    //- Relative error up to which the first one is a bend of the curve, and all
+    //  of it counts
+    const Foam::scalar small = 0.1;
 }
 
 
@@ -25,7 +29,9 @@ void Foam::velocityTrend::note
     const bool bent
 )
 {
-    const bool steady = mag(change - expected) < 0.5*mag(change);
+    const bool steady =
+        expected == vector::zero
+     || mag(change - expected) < 0.5*mag(change);
 
     change_ = steady ? change : vector::zero;
 
@@ -38,9 +44,11 @@ void Foam::velocityTrend::note
 
     const vector D(smoothed(ratio));
     const vector error(change - D);
+    const bool smooth = bend_ == vector::zero && mag(error) < small*mag(D);
+    const scalar part = smooth ? 1 : alpha;
 
     bend_ = sqr(ratio)*bend_ + error;
-    next_ = D + alpha*error + bend_;
+    next_ = D + part*error + bend_;
 }
 
 

@@ -131,10 +131,11 @@ Foam::scalar Foam::immersedBodies::correct
 Foam::scalar Foam::immersedBodies::correctCrowd
 (
     const scalarField& p,
+    const vector& drive,
     const scalar dt
 )
 {
-    const vectorField gradP(pressure_.gradients(p));
+    const vectorField gradP(pressure_.gradients(p, drive));
     scalar most = 0;
 
     forAll(bodies_, bodyi)

@@ -19,7 +19,8 @@ Foam::pressureAround::pressureAround
 
 Foam::vectorField Foam::pressureAround::gradients
 (
-    const scalarField& p
+    const scalarField& p,
+    const vector& drive
 ) const
 {
     // On both sides of each body: the sum of the values in the cells there,
@@ -62,7 +63,7 @@ Foam::vectorField Foam::pressureAround::gradients
 
     compat::allReduce(packed, plusEqOp<vector>());
 
-    vectorField gradP(n, Zero);
+    vectorField gradP(n, -drive);
 
     forAll(gradP, bodyi)
     {
@@ -74,7 +75,7 @@ Foam::vectorField Foam::pressureAround::gradients
 
             if (n0 > 0 && n1 > 0)
             {
-                gradP[bodyi][k] =
+                gradP[bodyi][k] +=
                     (sum(1, bodyi)[k]/n1 - sum(0, bodyi)[k]/n0)/width;
             }
         }
@@ -101,10 +102,11 @@ Foam::scalar Foam::pressureAround::speedChange
 Foam::scalar Foam::pressureAround::update
 (
     const scalarField& p,
+    const vector& drive,
     const scalar dt
 )
 {
-    const vectorField gradP(gradients(p));
+    const vectorField gradP(gradients(p, drive));
     scalar most = 0;
 
     forAll(bodies_, bodyi)
