@@ -9,7 +9,7 @@ namespace
 
     //- Relative error up to which the first one is a bend of the curve, and all
     //  of it counts
-    const Foam::scalar small = 0.1;
+    const Foam::scalar small = 0.25;
 }
 
 
