@@ -102,16 +102,9 @@ tmp<volSymmTensorField> energy(const fvScalarMatrix& equation)
     return tT;
 }
 
-} // End anonymous namespace
-
-
-Foam::scalar Foam::projectionOvershoot::largest(const fvScalarMatrix& equation)
+//- Largest overshoot in any cell, none if it is small
+scalar overshootOf(const volSymmTensorField& T)
 {
-    // What grows is some cells long: G does not see shorter waves
-    volSymmTensorField T(energy(equation));
-    T = fvc::average(T);
-    T = fvc::average(T);
-
     scalar least = 1;
 
     for (const symmTensor& t : T.primitiveField())
@@ -123,6 +116,25 @@ Foam::scalar Foam::projectionOvershoot::largest(const fvScalarMatrix& equation)
     const scalar overshoot = 1/max(least, SMALL) - 1;
 
     return overshoot > none ? overshoot : 0;
+}
+
+} // End anonymous namespace
+
+
+Foam::scalar Foam::projectionOvershoot::largest(const fvScalarMatrix& equation)
+{
+    volSymmTensorField T(energy(equation));
+
+    if (!overshootOf(T))
+    {
+        return 0;
+    }
+
+    // What grows is some cells long: G does not see shorter waves
+    T = fvc::average(T);
+    T = fvc::average(T);
+
+    return overshootOf(T);
 }
 
 
