@@ -6,12 +6,27 @@
 #include "bodyResolution.H"
 #include "bodyTraffic.H"
 #include "compat.H"
+#include "Hasher.H"
 #include "meshProperties.H"
 #include "profiling.H"
 #include "unresolvedBodies.H"
 
 namespace
 {
+
+//- Does a list differ from that of another processor. Collective.
+bool differs(const Foam::vectorField& list)
+{
+    const Foam::label hash
+    (
+        Foam::Hasher(list.cdata(), list.size()*sizeof(Foam::vector)) >> 1
+    );
+
+    return
+        Foam::returnReduce(hash, Foam::minOp<Foam::label>())
+     != Foam::returnReduce(hash, Foam::maxOp<Foam::label>());
+}
+
 
 //- Give all processors the states of the master: rounding on unlike machines
 //  must not let the copies drift apart
@@ -35,6 +50,11 @@ void shareStates(Foam::bodyList& bodies)
         to[2] = Foam::vector(state.orientation.w(), 0, 0);
         to[3] = state.U;
         to[4] = state.omega;
+    }
+
+    if (!differs(packed))
+    {
+        return;
     }
 
     Foam::compat::broadcast(packed);

@@ -79,8 +79,13 @@ void Foam::unresolvedCoupling::giveCorrections
         if (share_.mine(i))
         {
             const bodyState& state = bodies[i].state();
+            const fluidAction& fluid = bodies[i].fluid();
 
-            all[i] = correction{state.U, state.omega, bodies[i].fluid()};
+            all[i] = correction
+            {
+                state.U, state.omega,
+                fluid.load(), fluid.ddtMomentum(), fluid.eddy()
+            };
         }
     }
 
@@ -95,7 +100,8 @@ void Foam::unresolvedCoupling::giveCorrections
             state.U = all[i].U;
             state.omega = all[i].omega;
             bodies[i].setState(state);
-            bodies[i].fluid() = all[i].fluid;
+            bodies[i].fluid().set(all[i].load, all[i].ddtMomentum);
+            bodies[i].fluid().setEddy(all[i].eddy);
         }
     }
 }

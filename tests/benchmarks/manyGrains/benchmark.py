@@ -22,6 +22,11 @@ DIAMETER = 0.8
 # Scene with resolved spheres in one half, grains that are not in the other
 MIXED_SIZE, MIXED_DIAMETER = (48, 48, 96), 0.6
 MIXED_NUMBERS = (1000, 10000, 100000)
+# One rank, a part with spheres and one with grains, and two that have both
+CUTS = {
+    "1 rank": (1, 1, 1), "2 ranks, apart": (1, 1, 2),
+    "2 ranks, alike": (2, 1, 1),
+}
 SPHERES, SPHERE_DIAMETER = 8, 8
 PARTS = {
     "ms per step": "step", "bodies ms": "bodies", "pressure ms": "pressure",
@@ -129,14 +134,16 @@ def add_mixed(case, number):
     case.bodies(text, "contact { type softSphere; } coupling { type auto; }")
 
 
-def timed_mixed(mesh, number, ranks):
-    case = BodyCase(mesh, mesh.path.parent, f"mixed{number}_{ranks}")
+def timed_mixed(mesh, number, cut):
+    parts = CUTS[cut]
+    ranks = int(np.prod(parts))
+    case = BodyCase(mesh, mesh.path.parent, f"mixed{number}_{parts[0]}{ranks}")
     add_mixed(case, number)
     if ranks > 1:
-        case.decompose(ranks, (1, 1, ranks))
+        case.decompose(ranks, parts)
     return TimedRun(
         case, ["foamRun", "-solver", "immersedFluid"],
-        f"{SPHERES} spheres, {number} grains, {ranks} rank{'s'*(ranks > 1)}",
+        f"{SPHERES} spheres, {number} grains, {cut}",
         MIXED_DIAMETER, int(np.prod(MIXED_SIZE)), ranks,
     )
 
@@ -144,9 +151,9 @@ def timed_mixed(mesh, number, ranks):
 def mixed_rows(folder):
     """Resolved spheres and grains that are not in one scene."""
     mesh = make(folder/"mixed", MIXED_SIZE)
-    for ranks in (1, 2):
+    for cut in CUTS:
         for number in (0, *MIXED_NUMBERS):
-            run = timed_mixed(mesh, number, ranks)
+            run = timed_mixed(mesh, number, cut)
             yield run.row("mixed, ms per step", run.step)
             yield run.row("mixed, outer iterations", run.outers)
 

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What one of many ranks holds and sends, with as much work on each."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from bodyCase import BodyCase
+from foamCase import FoamError
+
+HERE = Path(__file__).resolve().parent
+BENCHMARKS = HERE.parent
+sys.path += [str(BENCHMARKS/"crowd"), str(BENCHMARKS/"manyGrains")]
+
+from measure import Result  # noqa: E402
+from report import Report  # noqa: E402
+
+CROWD = Report.load(BENCHMARKS/"crowd")
+GRAINS = Report.load(BENCHMARKS/"manyGrains")
+
+# Parts along x, y, z, and cells per side of the cube of the crowd
+PARTS = {1: (1, 1, 1), 2: (2, 1, 1), 4: (2, 2, 1), 8: (2, 2, 2),
+         16: (4, 2, 2)}
+CUBES = {1: 32, 2: 40, 4: 50, 8: 64, 16: 80}
+QUICK = (1, 2, 4)
+FRACTION, CELLS = 0.147, 8
+# Grains per rank, with as many cells as 32^3
+PER_RANK, SIDE = 2000, 32
+# Iterations, so that they are the same for all
+TWICE = "coupling { nOuterCorrectors 2; minOuterCorrectors 2; }"
+# Two runs: what the start takes is in both
+FEW, MORE = 3, 8
+
+# Of Open MPI: counts what each rank sends to which
+MONITORING = {
+    "pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3,
+    "pml_monitoring_filename": "sent",
+}
+
+
+class Counted(Result):
+    """Runs of a case on so many ranks.
+
+    memory: peak of the largest rank [MB]; sent: by the rank that sends most, in
+    a time step [kB].
+    """
+
+    def __init__(self, case, settings, D_over_h, cells, ranks, dt):
+        super().__init__(f"{settings}, {ranks} ranks", D_over_h, cells, MORE)
+        path = case.path/"system/controlDict"
+        path.write_text(
+            path.read_text().split("functions\n{", 1)[0] + "functions {}\n"
+        )
+        if ranks > 1:
+            case.decompose(ranks, PARTS[ranks])
+        sent = []
+        for steps in (FEW, MORE):
+            case.controls(
+                deltaT=f"{dt:.12g}", endTime=f"{steps*dt:.12g}",
+                startFrom="startTime", writeControl="timeStep",
+                writeInterval=1000,
+            )
+            self.memory = self.run(case, ranks)
+            sent.append(self.bytes(case, ranks))
+        self.sent = max(sent[1] - sent[0])/(MORE - FEW)/1000
+        times = re.findall(
+            r"ExecutionTime = (\S+)", (case.path/"log").read_text()
+        )
+        self.cpu = float(times[-1])
+
+    @staticmethod
+    def run(case, ranks):
+        """Peak of memory of the largest rank [MB]."""
+        command = ["foamRun", "-solver", "immersedFluid"]
+        if ranks > 1:
+            options = [
+                str(word) for name, value in MONITORING.items()
+                for word in ("--mca", name, value)
+            ]
+            command = [
+                "mpirun", "-np", str(ranks), *options, *command, "-parallel"
+            ]
+        with open(case.path/"log", "w") as log:
+            run = subprocess.Popen(
+                command, cwd=case.path, stdout=log, stderr=log
+            )
+            _, status, usage = os.wait4(run.pid, 0)
+        if status:
+            raise FoamError(f"{' '.join(command)} in {case.path}")
+        return usage.ru_maxrss/1024
+
+    @staticmethod
+    def bytes(case, ranks):
+        """Sent by each rank to all others."""
+        if ranks == 1:
+            return np.zeros(1)
+        files = sorted(case.path.glob("sent.*.prof"))
+        if len(files) != ranks:
+            raise FoamError(f"{case.path}: the MPI is not an Open MPI that"
+                            " counts what is sent")
+        return np.array([
+            sum(int(n) for n in re.findall(
+                r"^[EI]\t\d+\t\d+\t(\d+) bytes", file.read_text(), re.M
+            ))
+            for file in files
+        ])
+
+    def rows(self):
+        yield self.row("MB, largest rank", self.memory)
+        yield self.row("kB sent per step", self.sent)
+
+
+def crowd(folder, ranks):
+    """Spheres in a cube, the same number of cells for each rank."""
+    box = CUBES[ranks]
+    number = round(FRACTION*box**3/(math.pi/6*CELLS**3))
+    centres = CROWD.random_centres(number, box/CELLS, CROWD.GAP, 1)
+    case = CROWD.crowd(
+        folder, f"crowd{ranks}", centres, box, CELLS, MORE, coupling=TWICE
+    )
+    return Counted(
+        case, f"{number} spheres", CELLS, box**3, ranks,
+        CROWD.COURANT/(0.5*CELLS),
+    )
+
+
+def grains(folder, ranks, per_rank):
+    """Grains that the mesh does not resolve, or none."""
+    place = folder/f"grains{per_rank}_{ranks}"
+    place.mkdir()
+    size = tuple(SIDE*n for n in PARTS[ranks])
+    case = BodyCase(GRAINS.make(place, size), place, "case")
+    if per_rank:
+        GRAINS.add_grains(case, size, per_rank*ranks)
+    return Counted(
+        case, f"{per_rank*ranks} grains",
+        GRAINS.DIAMETER if per_rank else None, int(np.prod(size)), ranks, 0.5,
+    )
+
+
+def rows(folder, quick):
+    for ranks in QUICK if quick else PARTS:
+        yield from crowd(folder, ranks).rows()
+    for per_rank in (PER_RANK, 0):
+        for ranks in QUICK if quick else PARTS:
+            yield from grains(folder, ranks, per_rank).rows()
