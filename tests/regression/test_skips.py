@@ -119,10 +119,13 @@ def test_bands(tube, tmp_path):
         tube, tmp_path, "many", free,
         "coupling { nOuterCorrectors 30; tolerance 1e-9; }",
     )
-    for column in ("velocity_x", "velocity_y", "angularVelocity_z"):
+    # As without bands, where it is 3.5e-5, 2.6e-5 and 2.07e-4
+    bounds = {
+        "velocity_x": 1e-4, "velocity_y": 1e-4, "angularVelocity_z": 2.2e-4
+    }
+    for column, bound in bounds.items():
         v, w = (c.table("motion")[column][-1] for c in (few, many))
-        # As without bands
-        assert v == pytest.approx(w, abs=2e-4), column
+        assert v == pytest.approx(w, abs=bound), column
 
 
 NOTHING = """
@@ -148,10 +151,11 @@ nothing
 def test_the_rest_waits(tmp_path):
     """Between outer iterations the fluid away from bodies waits for pressure
     gradient and velocity, but where options could act on it. An option that
-    does nothing makes no difference: six steps, two iterations or more."""
+    does nothing makes no difference: eight steps, of which the last six have
+    two iterations or more, the second of them in bands."""
     tube = make_tube(tmp_path, 2)
     tube.controls(
-        endTime="0.12", writeInterval="0.12", writeFormat="ascii",
+        endTime="0.16", writeInterval="0.16", writeFormat="ascii",
         writePrecision="12",
     )
     tube.replace("constant/transportProperties", "0.5;", "0.02;")

@@ -96,7 +96,7 @@ void Foam::bodyLoads::noteUnresolved(const unresolvedCoupling& coupling)
         if (!bodies_[bodyi].resolved())
         {
             loads_[bodyi].volume =
-                coupling.inside(bodyi) ? bodies_[bodyi].volume() : 0;
+                coupling.kernels().inside(bodyi) ? bodies_[bodyi].volume() : 0;
         }
     }
 }

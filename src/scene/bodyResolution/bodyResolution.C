@@ -28,7 +28,7 @@ const Foam::DynamicList<Foam::label>& Foam::bodyResolution::cellsBeside
 {
     return bodies_[bodyi].resolved()
       ? region_.bands().region(bodyi).cells
-      : coupling().cells(bodyi);
+      : kernels()[bodyi].cells();
 }
 
 
@@ -36,7 +36,7 @@ void Foam::bodyResolution::findAtCentres()
 {
     forAll(h_, bodyi)
     {
-        h_[bodyi] = coupling().cellSize(bodies_[bodyi].state().position);
+        h_[bodyi] = kernels().cellSize(bodies_[bodyi].state().position);
     }
     compat::allReduce(h_, maxEqOp<scalar>());
 }
@@ -132,7 +132,7 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
         {
             // Not for most of them, far from being resolved
             sizes[bodyi] = choice().resolves(body, h_[bodyi])
-              ? coupling().largestCell(bodyi, body.shape().boundingRadius())
+              ? kernels().largestCell(bodyi, body.shape().boundingRadius())
               : h_[bodyi];
         }
         else if (loads_.inMesh(bodyi))
@@ -224,7 +224,7 @@ Foam::scalar Foam::bodyResolution::resolve
     scalarField largest(3);
     largest[0] = local.first();
     largest[1] = local.second();
-    largest[2] = coupling().cellSize(body.state().position);
+    largest[2] = kernels().cellSize(body.state().position);
     compat::allReduce(largest, maxEqOp<scalar>());
 
     if (largest[2] == 0)

@@ -45,11 +45,11 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 {
     scalarField sums(3*n, Zero);
 
-    for (const label bodyi : ordered_)
+    for (const label bodyi : kernels_.ordered())
     {
         vector mean(Zero);
 
-        grains_[bodyi].kernel.forCells
+        kernels_[bodyi].forCells
         (
             [&]
             (
@@ -68,7 +68,7 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
         }
     }
 
-    sum(sums, 3);
+    kernels_.sum(sums, 3);
 
     vectorField means(n);
 
@@ -113,7 +113,7 @@ void Foam::unresolvedCoupling::setForces
 
     forAll(bodies, bodyi)
     {
-        if (!moves(bodyi))
+        if (!kernels_.moves(bodyi))
         {
             continue;
         }
@@ -155,14 +155,14 @@ void Foam::unresolvedCoupling::linearise
     setForces(bodies, ddt, g, flow, a);
 
     // The cells of a kernel are those of any rank
-    share_.give(forces_);
+    kernels_.share().give(forces_);
 
     // All of a cell side by side, see carrierCells
     List<grainForce> inCells(mesh_.nCells());
 
-    for (const label bodyi : ordered_)
+    for (const label bodyi : kernels_.ordered())
     {
-        addInCells(grains_[bodyi].kernel, forces_[bodyi], inCells);
+        addInCells(kernels_[bodyi], forces_[bodyi], inCells);
     }
     forAll(inCells, celli)
     {
@@ -198,7 +198,7 @@ void Foam::unresolvedCoupling::advance
 
     forAll(bodies, bodyi)
     {
-        if (!moves(bodyi))
+        if (!kernels_.moves(bodyi))
         {
             continue;
         }

@@ -10,12 +10,13 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 {
     List<fluidSample> samples(bodies.size());
 
-    for (const label bodyi : ordered_)
+    for (const label bodyi : kernels_.ordered())
     {
         fluidSample& sum = samples[bodyi];
-        const scalar perD = frozen_ ? 0 : 1/diameter(bodies[bodyi]);
+        const scalar D = grainKernels::diameter(bodies[bodyi]);
+        const scalar perD = frozen_ ? 0 : 1/D;
 
-        grains_[bodyi].kernel.forCells
+        kernels_[bodyi].forCells
         (
             [&]
             (
@@ -45,15 +46,15 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 
         forAll(samples, i)
         {
-            if (hasCells(i))
+            if (kernels_.onRank(i))
             {
                 samples[i].pack(packed, n*i);
             }
         }
-        sum(packed, n);
+        kernels_.sum(packed, n);
         forAll(samples, i)
         {
-            if (share_.mine(i))
+            if (kernels_.share().mine(i))
             {
                 samples[i].unpack(packed, n*i);
             }
@@ -124,7 +125,7 @@ void Foam::unresolvedCoupling::correct
     {
         immersedBody& body = bodies[i];
 
-        if (body.resolved() || !moves(i))
+        if (body.resolved() || !kernels_.moves(i))
         {
             continue;
         }
@@ -158,5 +159,5 @@ void Foam::unresolvedCoupling::correct
     }
 
     giveCorrections(bodies);
-    spread(loads(bodies) - before, force);
+    kernels_.spread(loads(bodies) - before, force);
 }

@@ -37,8 +37,6 @@ Foam::unresolvedCoupling::unresolvedCoupling
 )
 :
     mesh_(search.mesh()),
-    search_(search),
-    periods_(periods),
     choice_(dict),
     frozen_(fluid(dict) == "frozen"),
     dense_(voidFraction(dict)),
@@ -47,29 +45,15 @@ Foam::unresolvedCoupling::unresolvedCoupling
     dispersion_(dispersionModel::New(dict)),
     lifts_(liftModel::New(dict)),
     shapes_(dict.subOrEmptyDict("shapeModel")),
-    centres_(mesh_.cellCentres(), false),
     grains_(bodies),
+    kernels_(dict.subOrEmptyDict("kernel"), search, periods, bodies),
     covered_(mesh_)
 {
-    const dictionary& kernel = dict.subOrEmptyDict("kernel");
-
     Foam::keywords::choice(shapes_, "type", shapeModel::types(), "sphericity");
     if (!shapes_.found("type"))
     {
         Foam::keywords::check(shapes_, {"type"});
     }
-    Foam::keywords::check(kernel, {"cells", "diameters"});
-    kernelCells_ = Foam::keywords::positiveOr(kernel, "cells", 3);
-    kernelDiameters_ = Foam::keywords::positiveOr(kernel, "diameters", 2);
-
-    if (kernelCells_ < 1.5)
-    {
-        FatalIOErrorInFunction(kernel)
-            << "'cells " << kernelCells_ << "' in 'kernel' must be at least"
-            << " 1.5, or parts of the mesh have no cell in a kernel" << nl
-            << exit(FatalIOError);
-    }
-
     bool wanted = choice_.type() != "resolved";
 
     for (const immersedBody& body : bodies)
@@ -158,8 +142,8 @@ void Foam::unresolvedCoupling::report(Ostream& os) const
 {
     choice_.report(os);
     os  << ", " << nUnresolved() << " unresolved, drag of " << drag_->type()
-        << ", kernels of " << kernelCells_ << " cells or "
-        << kernelDiameters_ << " diameters";
+        << ", ";
+    kernels_.report(os);
 
     for (const liftModel& lift : lifts_)
     {

@@ -17,7 +17,7 @@ void Foam::unresolvedCoupling::follow
     {
         immersedBody& body = bodies[i];
 
-        if (body.resolved() || !moves(i) || !hitAnew(body, moved_[i]))
+        if (body.resolved() || !kernels_.moves(i) || !hitAnew(body, moved_[i]))
         {
             continue;
         }
@@ -41,7 +41,7 @@ void Foam::unresolvedCoupling::follow
     if (returnReduce(any, orOp<bool>()))
     {
         giveCorrections(bodies);
-        spread(loads(bodies) - before, force);
+        kernels_.spread(loads(bodies) - before, force);
     }
 }
 
@@ -67,7 +67,9 @@ void Foam::unresolvedCoupling::giveCorrections
     PtrList<immersedBody>& bodies
 ) const
 {
-    if (!share_.active())
+    const grainShare& share = kernels_.share();
+
+    if (!share.active())
     {
         return;
     }
@@ -76,7 +78,7 @@ void Foam::unresolvedCoupling::giveCorrections
 
     forAll(all, i)
     {
-        if (share_.mine(i))
+        if (share.mine(i))
         {
             const bodyState& state = bodies[i].state();
             const fluidAction& fluid = bodies[i].fluid();
@@ -89,11 +91,11 @@ void Foam::unresolvedCoupling::giveCorrections
         }
     }
 
-    share_.give(all);
+    share.give(all);
 
     forAll(all, i)
     {
-        if (!share_.mine(i) && !bodies[i].resolved() && grains_[i].inside)
+        if (!share.mine(i) && !bodies[i].resolved() && kernels_.inside(i))
         {
             bodyState state(bodies[i].state());
 
@@ -120,25 +122,4 @@ Foam::tmp<Foam::vectorField> Foam::unresolvedCoupling::loads
     }
 
     return tloads;
-}
-
-
-void Foam::unresolvedCoupling::spread
-(
-    const vectorField& P,
-    vectorField& force
-) const
-{
-    for (const label bodyi : ordered_)
-    {
-        const vector& Pi = P[bodyi];
-
-        grains_[bodyi].kernel.forCells
-        (
-            [&](const label celli, const scalar w, const point&, const vector&)
-            {
-                force[celli] += w*Pi;
-            }
-        );
-    }
 }
