@@ -2,7 +2,6 @@
 
 #include "grainKernels.H"
 #include "checkKeywords.H"
-#include "compat.H"
 #include "mathematicalConstants.H"
 
 Foam::grainKernels::grainKernels
@@ -156,41 +155,61 @@ void Foam::grainKernels::update
 }
 
 
-void Foam::grainKernels::normalise(scalarList& h)
+Foam::List<Foam::grainKernels::found> Foam::grainKernels::findings() const
 {
-    // Sum of the weights, cells with the centre, their size, and the same of
-    // those next to it
-    const label n = 5;
-    scalarField sums(n*h.size(), Zero);
+    DynamicList<found> mine(ordered_.size());
 
-    forAll(h, i)
+    for (const label i : ordered_)
     {
         const bodyKernel& kernel = kernels_[i];
+        const label centre = kernel.centreCell();
 
-        sums[n*i] = kernel.sum(mesh_.V());
-
-        if (kernel.centreCell() >= 0)
+        if (onRank(i) || centre >= 0 || kernel.nBeside())
         {
-            sums[n*i + 1] = 1;
-            sums[n*i + 2] = search_.hMax(kernel.centreCell());
+            mine.append
+            (
+                found
+                {
+                    i,
+                    kernel.sum(mesh_.V()),
+                    label(centre >= 0), kernel.nBeside(),
+                    centre >= 0 ? search_.hMax(centre) : 0, kernel.hBeside()
+                }
+            );
         }
-        sums[n*i + 3] = kernel.nBeside();
-        sums[n*i + 4] = kernel.hBeside();
     }
 
-    compat::allReduce(sums, plusEqOp<scalar>());
+    return gatherAll<found>(mine);
+}
 
-    forAll(h, i)
+
+void Foam::grainKernels::normalise(scalarList& h)
+{
+    List<found> sums(kernels_.size(), found{-1, 0, 0, 0, 0, 0});
+
+    for (const found& one : findings())
     {
-        const label at = n*i + (sums[n*i + 1] > 0 ? 1 : 3);
-        const scalar found = sums[at];
+        found& sum = sums[one.body];
 
-        inside_[i] = found > 0;
+        sum.weights += one.weights;
+        sum.nCentre += one.nCentre;
+        sum.nBeside += one.nBeside;
+        sum.hCentre += one.hCentre;
+        sum.hBeside += one.hBeside;
+    }
 
-        if (found > 0)
+    forAll(sums, i)
+    {
+        const found& sum = sums[i];
+
+        inside_[i] = sum.nCentre || sum.nBeside;
+
+        if (inside_[i])
         {
-            h[i] = sums[at + 1]/found;
+            h[i] = sum.nCentre
+              ? sum.hCentre/sum.nCentre
+              : sum.hBeside/sum.nBeside;
         }
-        kernels_[i].normalise(found > 0 ? sums[n*i] : 0);
+        kernels_[i].normalise(inside_[i] ? sum.weights : 0);
     }
 }
