@@ -78,10 +78,13 @@ class TimedRun(Result):
         return step, memory, log, self.profile(file)
 
     @staticmethod
-    def execute(case, command, ranks):
-        """Run, with the log in the file log; peak of memory [kB]."""
+    def execute(case, command, ranks, options=()):
+        """Run, with the log in the file log; peak of memory [kB]. options: of
+        mpirun."""
         if ranks > 1:
-            command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
+            command = [
+                "mpirun", "-np", str(ranks), *options, *command, "-parallel"
+            ]
         with open(case.path/"log", "w") as log:
             run = subprocess.Popen(
                 command, cwd=case.path, stdout=log, stderr=log

@@ -2,9 +2,7 @@
 """What one of many ranks holds and sends, with as much work on each."""
 
 import math
-import os
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -15,10 +13,11 @@ from foamCase import FoamError
 
 HERE = Path(__file__).resolve().parent
 BENCHMARKS = HERE.parent
-sys.path += [str(BENCHMARKS/"crowd"), str(BENCHMARKS/"manyGrains")]
+sys.path.append(str(BENCHMARKS/"cost"))
 
 from measure import Result  # noqa: E402
 from report import Report  # noqa: E402
+from timedRun import TimedRun  # noqa: E402
 
 CROWD = Report.load(BENCHMARKS/"crowd")
 GRAINS = Report.load(BENCHMARKS/"manyGrains")
@@ -37,10 +36,12 @@ TWICE = "coupling { nOuterCorrectors 2; minOuterCorrectors 2; }"
 FEW, MORE = 3, 8
 
 # Of Open MPI: counts what each rank sends to which
-MONITORING = {
-    "pml_monitoring_enable": 2, "pml_monitoring_enable_output": 3,
-    "pml_monitoring_filename": "sent",
-}
+MONITORING = (
+    "--mca", "pml_monitoring_enable", "2",
+    "--mca", "pml_monitoring_enable_output", "3",
+    "--mca", "pml_monitoring_filename", "sent",
+)
+COMMAND = ("foamRun", "-solver", "immersedFluid")
 
 
 class Counted(Result):
@@ -65,34 +66,14 @@ class Counted(Result):
                 startFrom="startTime", writeControl="timeStep",
                 writeInterval=1000,
             )
-            self.memory = self.run(case, ranks)
+            memory = TimedRun.execute(case, COMMAND, ranks, MONITORING)
+            self.memory = memory/ranks/1024
             sent.append(self.bytes(case, ranks))
         self.sent = max(sent[1] - sent[0])/(MORE - FEW)/1000
         times = re.findall(
             r"ExecutionTime = (\S+)", (case.path/"log").read_text()
         )
         self.cpu = float(times[-1])
-
-    @staticmethod
-    def run(case, ranks):
-        """Peak of memory of the largest rank [MB]."""
-        command = ["foamRun", "-solver", "immersedFluid"]
-        if ranks > 1:
-            options = [
-                str(word) for name, value in MONITORING.items()
-                for word in ("--mca", name, value)
-            ]
-            command = [
-                "mpirun", "-np", str(ranks), *options, *command, "-parallel"
-            ]
-        with open(case.path/"log", "w") as log:
-            run = subprocess.Popen(
-                command, cwd=case.path, stdout=log, stderr=log
-            )
-            _, status, usage = os.wait4(run.pid, 0)
-        if status:
-            raise FoamError(f"{' '.join(command)} in {case.path}")
-        return usage.ru_maxrss/1024
 
     @staticmethod
     def bytes(case, ranks):
