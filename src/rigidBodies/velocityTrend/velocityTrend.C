@@ -7,8 +7,7 @@ namespace
     //- Part of an error that corrects the change besides its own change
     const Foam::scalar alpha = 0.3;
 
-    //- Relative error up to which the first one is a bend of the curve, and all
-    //  of it counts
+    //- Relative difference of two changes up to which they are of a smooth curve
     const Foam::scalar small = 0.25;
 }
 
@@ -33,22 +32,30 @@ void Foam::velocityTrend::note
         expected == vector::zero
      || mag(change - expected) < 0.5*mag(change);
 
+    const vector before(ratio*change_);
+
     change_ = steady ? change : vector::zero;
 
-    if (!steady || !bent || next_ == vector::zero)
+    if (!steady || !bent || before == vector::zero)
     {
-        next_ = bent ? change_ : vector::zero;
-        bend_ = Zero;
+        next_ = bend_ = Zero;
+        return;
+    }
+
+    if (next_ == vector::zero)
+    {
+        const vector bend(change - before);
+
+        bend_ = mag(bend) < small*mag(before) ? bend : vector::zero;
+        next_ = change + bend_;
         return;
     }
 
     const vector D(smoothed(ratio));
     const vector error(change - D);
-    const bool smooth = bend_ == vector::zero && mag(error) < small*mag(D);
-    const scalar part = smooth ? 1 : alpha;
 
     bend_ = sqr(ratio)*bend_ + error;
-    next_ = D + part*error + bend_;
+    next_ = D + alpha*error + bend_;
 }
 
 
