@@ -31,7 +31,6 @@ void Foam::velocityTrend::note
     const bool steady =
         expected == vector::zero
      || mag(change - expected) < 0.5*mag(change);
-
     const vector before(ratio*change_);
 
     change_ = steady ? change : vector::zero;
