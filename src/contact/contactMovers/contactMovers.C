@@ -192,6 +192,37 @@ Foam::vector Foam::contactMovers::relativeVelocity
 }
 
 
+Foam::Pair<Foam::scalar> Foam::contactMovers::inverseMasses
+(
+    const pair& p,
+    const point& x,
+    const vector& n
+) const
+{
+    Pair<scalar> sums(0, 0);
+
+    auto add = [&](const contactMover& m, const vector& r)
+    {
+        const scalar along = m.inverseMass & vector(cmptMultiply(n, n));
+
+        // Of round bodies the same for all directions in the plane
+        const tensor& I = m.inverseInertia;
+        const label nAxes = (I.xx() > 0) + (I.yy() > 0) + (I.zz() > 0);
+
+        sums.first() += along;
+        sums.second() += along + magSqr(r)*tr(I)/max(nAxes, label(1));
+    };
+
+    add((*this)[p.a], x - (*this)[p.a].state.position);
+    if (p.b >= 0)
+    {
+        add((*this)[p.b], x - p.shift - (*this)[p.b].state.position);
+    }
+
+    return sums;
+}
+
+
 void Foam::contactMovers::addImpulse
 (
     const pair& p,

@@ -26,9 +26,10 @@ Foam::contactModels::softSphere::softSphere
     materials_(dict, law_()),
     roughness_(dict),
     rough_(materials_.largest().wallRoughness > 0),
-    lubrication_(lubrication),
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
-    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2))
+    largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2)),
+    touches_(law_(), movers_, meetings_),
+    films_(lubrication, movers_)
 {
     wordList ours
     ({
@@ -131,7 +132,7 @@ bool Foam::contactModels::softSphere::goThrough
 )
 {
     // Films act one after the other, slopes are drawn so
-    begin(bodies, !lubrication_.active() && !rough_);
+    begin(bodies, !films_.active() && !rough_);
     roughness_.begin(bodies);
 
     if (!search(bodies, h, walls, periods, dt, furthest))
@@ -144,7 +145,7 @@ bool Foam::contactModels::softSphere::goThrough
         label(ceil(dt*subSteps_/shortestTime(dt))),
         label(1)
     );
-    const bool films = lubrication_.active();
+    const bool films = films_.active();
     subStepMotion motion(movers_, bodies, clearance_, n, dt, meshU, films);
     const scalar subDt = motion.h();
 
@@ -154,7 +155,7 @@ bool Foam::contactModels::softSphere::goThrough
     for (label i = 0; i < n; ++i)
     {
         findTouches(bodies, walls, motion, dt);
-        kick(motion);
+        touches_.kick(motion, energy_);
         if (films)
         {
             accelerate(subDt);
@@ -168,7 +169,7 @@ bool Foam::contactModels::softSphere::goThrough
     }
     motion.end();
     slide(0.5*subDt);
-    sumSprings(subDt);
+    touches_.sumSprings(subDt, energy_);
     movers_.putBack(bodies);
     movers_.collect();
 

@@ -38,8 +38,7 @@ bool Foam::contactModels::softSphere::apart
         return clearance_.apart(candidatei);
     };
 
-    const scalar range = gaps_.empty()
-      ? 0 : lubrication_.range(gaps_[candidatei].cell);
+    const scalar range = films_.range(candidatei);
 
     if (c.b >= 0)
     {
@@ -173,11 +172,6 @@ void Foam::contactModels::softSphere::findTouches
 {
     const scalar h = motion.h();
 
-    for (const touched& t : touched_)
-    {
-        isTouched_[t.mover] = false;
-    }
-    touched_.clear();
     touches_.clear();
     films_.clear();
     motion.bringExchanged();
@@ -209,7 +203,7 @@ void Foam::contactModels::softSphere::findTouches
             else if (nearest(bodies, i, point))
             {
                 addTouch(bodies, i, point, h, dt);
-                addFilm(i, point);
+                films_.add(i, point);
             }
         }
 

@@ -52,13 +52,7 @@ void Foam::contactModels::softSphere::endContacts
 
     forAll(records, k)
     {
-        bool touched = false;
-        for (label l = first; l < touches_.size(); ++l)
-        {
-            touched = touched || touches_[l].record == k;
-        }
-
-        if (!touched)
+        if (!touches_.has(k, first))
         {
             records[k] = contactHistory::record();
         }

@@ -38,12 +38,7 @@ bool Foam::contactModels::softSphere::search
     const UList<scalar>& furthest
 )
 {
-    scalarField range(bodies.size());
-
-    forAll(range, i)
-    {
-        range[i] = lubrication_.range(h[i]);
-    }
+    const scalarField range(films_.reach(h));
 
     if
     (
@@ -56,9 +51,8 @@ bool Foam::contactModels::softSphere::search
         return false;
     }
 
-    forces_.setSize(movers_.size());
+    touches_.reset();
     moverMaterials_.clear();
-    gaps_.clear();
 
     for (const contactMover& m : movers_)
     {
@@ -71,58 +65,19 @@ bool Foam::contactModels::softSphere::search
     }
 
     findMeetings(bodies);
+    films_.setPairs(bodies, h);
 
-    isTouched_.setSize(movers_.size());
-    isTouched_ = false;
-    touched_.clear();
     clearance_.reset(movers_.size());
     slideSpeed_ = 0;
 
     for (const candidate& c : candidates())
     {
-        if (lubrication_.active())
-        {
-            gaps_.append(gapOf(bodies, h, c));
-        }
         keepOwn(c);
         clearance_.append(c.a, c.b);
         slideSpeed_ = max(slideSpeed_, mag(c.velocity));
     }
 
     return true;
-}
-
-
-Foam::lubricationModel::film Foam::contactModels::softSphere::gapOf
-(
-    const PtrList<immersedBody>& bodies,
-    const UList<scalar>& h,
-    const contactMovers::pair& p
-) const
-{
-    const label bodya = movers_[p.a].body;
-    const label bodyb = p.b < 0 ? -1 : movers_[p.b].body;
-    const bool round =
-        bodies[bodya].shape().round()
-     && (p.b < 0 || bodies[bodyb].shape().round());
-
-    lubricationModel::film film{-1, h[bodya]};
-
-    if (round)
-    {
-        const scalar Ra = bodies[bodya].shape().boundingRadius();
-
-        film.radius = Ra;
-        if (p.b >= 0)
-        {
-            const scalar Rb = bodies[bodyb].shape().boundingRadius();
-
-            film.radius *= Rb/(Ra + Rb);
-            film.cell = 0.5*(h[bodya] + h[bodyb]);
-        }
-    }
-
-    return film;
 }
 
 

@@ -39,37 +39,6 @@ void meanOverlap
 } // End anonymous namespace
 
 
-Foam::Pair<Foam::scalar> Foam::contactModels::softSphere::inverseMasses
-(
-    const candidate& c,
-    const point& x,
-    const vector& n
-) const
-{
-    Pair<scalar> sums(0, 0);
-
-    auto add = [&](const contactMover& m, const vector& r)
-    {
-        const scalar along = m.inverseMass & vector(cmptMultiply(n, n));
-
-        // Of round bodies the same for all directions in the plane
-        const tensor& I = m.inverseInertia;
-        const label nAxes = (I.xx() > 0) + (I.yy() > 0) + (I.zz() > 0);
-
-        sums.first() += along;
-        sums.second() += along + magSqr(r)*tr(I)/max(nAxes, label(1));
-    };
-
-    add(movers_[c.a], x - movers_[c.a].state.position);
-    if (c.b >= 0)
-    {
-        add(movers_[c.b], x - c.shift - movers_[c.b].state.position);
-    }
-
-    return sums;
-}
-
-
 void Foam::contactModels::softSphere::addTouch
 (
     const PtrList<immersedBody>& bodies,
@@ -89,13 +58,16 @@ void Foam::contactModels::softSphere::addTouch
 
     const scalar closing =
         movers_.relativeVelocity(c, point.position, point.wallU) & point.normal;
-    touch t;
+    softTouches::touch t;
 
     meanOverlap
     (
         point.gap, closing, h, t.contact.overlap, t.contact.fraction
     );
-    const Pair<scalar> inverse(inverseMasses(c, point.position, point.normal));
+    const Pair<scalar> inverse
+    (
+        movers_.inverseMasses(c, point.position, point.normal)
+    );
 
     if (t.contact.fraction <= 0 || inverse.first() <= 0)
     {
@@ -104,7 +76,7 @@ void Foam::contactModels::softSphere::addTouch
 
     contactHistory::record& r = recordOf(bodies, c, wall.normal);
 
-    t.candidate = candidatei;
+    t.pairi = candidatei;
     t.record = &r - meetingOf(c).records.cdata();
     t.position = point.position;
     t.gap = point.gap;
@@ -120,7 +92,7 @@ void Foam::contactModels::softSphere::addTouch
     r.speed = r.live() ? r.speed : max(closing, scalar(0));
     t.contact.coefficients = coefficients(c, point).at(r.speed);
     t.rollingMass = t.contact.coefficients.rollingFriction > 0
-      ? rollingMass(c, t.contact.radius) : 0;
+      ? touches_.rollingMass(c, t.contact.radius) : 0;
 
     if (!r.live())
     {
@@ -136,20 +108,6 @@ void Foam::contactModels::softSphere::addTouch
     r.normal = wall.normal;
     t.contact.time = r.time;
     touches_.append(t);
-    addTouched(c);
-}
-
-
-void Foam::contactModels::softSphere::addTouched(const candidate& c)
-{
-    for (const label mover : {c.a, c.b})
-    {
-        if (mover >= 0 && !isTouched_[mover])
-        {
-            isTouched_[mover] = true;
-            touched_.append(touched{mover, Zero, Zero});
-        }
-    }
 }
 
 
@@ -186,6 +144,6 @@ void Foam::contactModels::softSphere::meetWalls
     for (const contactPoint& point : points)
     {
         addTouch(bodies, candidatei, point, h, dt);
-        addFilm(candidatei, point);
+        films_.add(candidatei, point);
     }
 }
