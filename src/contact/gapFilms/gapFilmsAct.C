@@ -7,27 +7,27 @@ Foam::vector Foam::gapFilms::rollingVelocity
     const film& f
 ) const
 {
-    const pair& c = pairOf(f);
-    const contactMover& a = movers_[c.a];
+    const pair& p = pairOf(f);
+    const contactMover& a = movers_[p.a];
     const point& x = f.point.position;
     const vector& n = f.point.normal;
     vector U(a.state.velocity(x));
 
-    if (c.b < 0)
+    if (p.b < 0)
     {
         U += f.point.wallU - 2*a.state.U;
     }
     else
     {
         // The middle of the gap moves with the line of centres
-        const contactMover& b = movers_[c.b];
-        const point xb(x - c.shift);
+        const contactMover& b = movers_[p.b];
+        const point xb(x - p.shift);
         const scalar la = mag(x - a.state.position);
         const scalar lb = mag(xb - b.state.position);
 
-        const vector Ub(b.state.U + c.velocity);
+        const vector Ub(b.state.U + p.velocity);
 
-        U += b.state.velocity(xb) + c.velocity;
+        U += b.state.velocity(xb) + p.velocity;
         U -= 2*(lb*a.state.U + la*Ub)/(la + lb);
     }
 
@@ -40,17 +40,17 @@ Foam::scalar Foam::gapFilms::inverseRollingMass
     const film& f
 ) const
 {
-    const pair& c = pairOf(f);
+    const pair& p = pairOf(f);
     const point& x = f.point.position;
     const vector& n = f.point.normal;
-    const Pair<scalar> masses(movers_.inverseMasses(c, x, n));
+    const Pair<scalar> masses(movers_.inverseMasses(p, x, n));
 
     // The same as that of sliding, but for the part of translation
     scalar part = 1;
-    if (c.b >= 0)
+    if (p.b >= 0)
     {
-        const scalar la = mag(x - movers_[c.a].state.position);
-        const scalar lb = mag(x - c.shift - movers_[c.b].state.position);
+        const scalar la = mag(x - movers_[p.a].state.position);
+        const scalar lb = mag(x - p.shift - movers_[p.b].state.position);
 
         part = sqr((la - lb)/(la + lb));
     }
@@ -67,13 +67,16 @@ void Foam::gapFilms::push
     tensor& moment
 )
 {
-    const pair& c = pairOf(f);
+    const pair& p = pairOf(f);
 
     // r: of the surface, shear: impulse along it, of which what is not linear
     // is balanced by the pressure
     auto give = [&]
     (
-        contactMover& m, const vector& linear, const vector& r, const vector& shear
+        contactMover& m,
+        const vector& linear,
+        const vector& r,
+        const vector& shear
     )
     {
         const vector angular(r^shear);
@@ -88,17 +91,17 @@ void Foam::gapFilms::push
         moment += linear*r + r*(linear - shear);
     };
 
-    contactMover& a = movers_[c.a];
+    contactMover& a = movers_[p.a];
     const vector ra(f.point.position - a.state.position);
 
-    if (c.b < 0)
+    if (p.b < 0)
     {
         give(a, (rolling ? -1 : 1)*impulse, ra, impulse);
         return;
     }
 
-    contactMover& b = movers_[c.b];
-    const vector rb(f.point.position - c.shift - b.state.position);
+    contactMover& b = movers_[p.b];
+    const vector rb(f.point.position - p.shift - b.state.position);
     const scalar la = mag(ra), lb = mag(rb);
     const scalar part = rolling ? (la - lb)/(la + lb) : 1;
 
