@@ -2,6 +2,9 @@
 
 #include "contactShare.H"
 #include "contactTools.H"
+#include "exchange.H"
+#include "HashSet.H"
+#include "labelPair.H"
 #include "OStringStream.H"
 #include "Pstream.H"
 
@@ -158,6 +161,61 @@ TEST_CASE("Ranks that share contacts find what one finds", "[contact]")
         CHECK(mag(moments - expected) <= 1e-11*mag(expected));
     }
     CHECK(single.model().nContacts() > single.bodies.size()/10);
+}
+
+
+TEST_CASE("Pairs that overlap at the end of a step are known", "[contact]")
+{
+    Heap heap(GENERATE(false, true));
+    DynamicList<closePairs::pair> pairs;
+
+    CHECK_FALSE(heap.model().pairsAtEnd(pairs));
+
+    heap.run(0.01, 12);
+    pairs.clear();
+    REQUIRE(heap.model().pairsAtEnd(pairs));
+
+    // By one or the other rank
+    DynamicList<labelPair> mine;
+
+    for (const closePairs::pair& p : pairs)
+    {
+        mine.append(labelPair(min(p.a, p.b), max(p.a, p.b)));
+    }
+
+    const HashSet<labelPair, labelPair::Hash<>> known
+    (
+        gatherAll<labelPair>(mine)
+    );
+    pointField centres(heap.bodies.size());
+    scalarField radii(heap.bodies.size());
+
+    forAll(centres, i)
+    {
+        centres[i] = heap.bodies[i].state().position;
+        radii[i] = heap.bodies[i].shape().boundingRadius();
+    }
+
+    label n = 0, nKnown = 0;
+    const closePairs all(centres, radii, heap.periods);
+
+    for (const closePairs::pair& p : all.pairs())
+    {
+        const immersedBody& a = heap.bodies[p.a];
+        const immersedBody& b = heap.bodies[p.b];
+
+        if
+        (
+            (a.isFree() || b.isFree())
+         && contactPoint(a, b, p.shift).gap < 0
+        )
+        {
+            ++n;
+            nKnown += known.found(labelPair(min(p.a, p.b), max(p.a, p.b)));
+        }
+    }
+    CHECK(n > heap.bodies.size()/20);
+    CHECK(nKnown == n);
 }
 
 

@@ -29,7 +29,9 @@ Foam::contactModels::softSphere::softSphere
     subSteps_(keywords::positiveOr(dict, "subSteps", 30)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.2)),
     touches_(law_(), movers_, meetings_),
-    films_(lubrication, movers_)
+    films_(lubrication, movers_),
+    slideSpeed_(0),
+    advanced_(false)
 {
     wordList ours
     ({
@@ -204,6 +206,30 @@ void Foam::contactModels::softSphere::advance
         remember();
     }
     sumEnergy();
+    advanced_ = true;
+}
+
+
+bool Foam::contactModels::softSphere::pairsAtEnd
+(
+    DynamicList<closePairs::pair>& pairs
+) const
+{
+    for (const candidate& c : candidates())
+    {
+        if (c.b >= 0)
+        {
+            pairs.append
+            (
+                closePairs::pair
+                {
+                    movers_[c.a].body, movers_[c.b].body, c.shift, c.velocity
+                }
+            );
+        }
+    }
+
+    return advanced_;
 }
 
 

@@ -199,12 +199,9 @@ bool Foam::immersedBodies::endStep()
     contacts_->updateSleep(bodies_, mesh_.time().deltaTValue());
     loads_.noteUnresolved(unresolved_->coupling());
 
-    bool good = traffic_->leave();
-
-    if (contacts_->overlap(bodies_, region_, h_))
-    {
-        good = false;
-    }
+    // Contact knows the bodies as they are before any leave
+    const bool overlap = contacts_->overlap(bodies_, region_, h_);
+    const bool good = traffic_->leave() && !overlap;
 
     // The regions go with the positions so far
     wrapPositions();

@@ -50,13 +50,27 @@ Foam::proximityMonitor::proximityMonitor
 )
 :
     walls_(mesh, walls(mesh.boundaryMesh())),
+    model_(contact),
     contact_(contact.active()),
     allowed_(contact.largestOverlap()),
     periodicity_(periods)
 {}
 
 
-bool Foam::proximityMonitor::note
+Foam::string Foam::proximityMonitor::overlaps() const
+{
+    string all;
+
+    for (const string& overlap : overlaps_)
+    {
+        all += (all.empty() ? "" : ", ") + overlap;
+    }
+
+    return all;
+}
+
+
+void Foam::proximityMonitor::note
 (
     const word& first,
     const word& second,
@@ -70,7 +84,7 @@ bool Foam::proximityMonitor::note
     // Nothing to say of nearly all
     if (!overlap && (contact_ || gap >= h))
     {
-        return false;
+        return;
     }
 
     const string pair(first + " and " + second);
@@ -87,22 +101,19 @@ bool Foam::proximityMonitor::note
     if (overlap)
     {
         OStringStream os;
-        os  << (overlaps_.empty() ? "" : ", ") << pair.c_str() << " by "
-            << -gap << " m";
+        os  << pair.c_str() << " by " << -gap << " m";
 
         if (contact_)
         {
             os  << " (allowed are " << 0.5*allowed_*width
                 << " m, 'largestOverlap " << allowed_ << "' in 'contact')";
         }
-        overlaps_ += os.str();
+        overlaps_.append(os.str());
     }
-
-    return overlap;
 }
 
 
-bool Foam::proximityMonitor::checkPair
+void Foam::proximityMonitor::checkPair
 (
     const PtrList<immersedBody>& bodies,
     const UList<scalar>& h,
@@ -112,7 +123,13 @@ bool Foam::proximityMonitor::checkPair
     const immersedBody& a = bodies[pair.a];
     const immersedBody& b = bodies[pair.b];
 
-    return note
+    // Those that are there for good may overlap each other
+    if (isObstacle(a) && isObstacle(b))
+    {
+        return;
+    }
+
+    note
     (
         a.name(),
         b.name(),
@@ -123,18 +140,27 @@ bool Foam::proximityMonitor::checkPair
 }
 
 
-bool Foam::proximityMonitor::check
+Foam::scalarField Foam::proximityMonitor::wallGaps
 (
     const PtrList<immersedBody>& bodies,
-    const immersedRegion& region,
-    const UList<scalar>& h
-)
+    const immersedRegion& region
+) const
 {
-    scalarField wallGaps(bodies.size(), GREAT);
+    scalarField gaps(bodies.size(), GREAT);
+    bool anyResolved = false;
+
+    for (const immersedBody& body : bodies)
+    {
+        anyResolved = anyResolved || body.resolved();
+    }
+    if (!anyResolved)
+    {
+        return gaps;
+    }
 
     for (const bodyRegion& r : region.regions())
     {
-        scalar& gap = wallGaps[r.body()];
+        scalar& gap = gaps[r.body()];
         label patchi;
 
         gap = min
@@ -144,45 +170,102 @@ bool Foam::proximityMonitor::check
         );
     }
 
-    compat::allReduce(wallGaps, minEqOp<scalar>());
+    compat::allReduce(gaps, minEqOp<scalar>());
 
-    bool overlap = false;
-    overlaps_.clear();
+    return gaps;
+}
+
+
+Foam::DynamicList<Foam::closePairs::pair> Foam::proximityMonitor::findPairs
+(
+    const PtrList<immersedBody>& bodies,
+    const UList<scalar>& h
+) const
+{
+    DynamicList<closePairs::pair> pairs;
+
+    // Pairs of bodies that neither move freely nor are obstacles are not known
+    bool all = true;
+
+    for (const immersedBody& body : bodies)
+    {
+        all = all && (body.isFree() || isObstacle(body));
+    }
+
+    if (all && model_.pairsAtEnd(pairs))
+    {
+        return pairs;
+    }
 
     pointField centres(bodies.size());
     scalarField radii(bodies.size());
 
     forAll(bodies, i)
     {
-        if (isObstacle(bodies[i]))
-        {
-            wallGaps[i] = GREAT;
-        }
-
         centres[i] = bodies[i].state().position;
         radii[i] =
             bodies[i].shape().boundingRadius() + margin(bodies[i], h[i]);
-        overlap =
-            note
-            (
-                bodies[i].name(),
-                "a wall",
-                wallGaps[i],
-                h[i],
-                bodies[i].shape().width()
-            )
-         || overlap;
     }
 
-    const closePairs close(centres, radii, periodicity_);
+    return closePairs(centres, radii, periodicity_).pairs();
+}
 
-    for (const closePairs::pair& pair : close.pairs())
+
+bool Foam::proximityMonitor::gatherOverlaps()
+{
+    if (!returnReduce(!overlaps_.empty(), orOp<bool>()))
     {
-        if (!isObstacle(bodies[pair.a]) || !isObstacle(bodies[pair.b]))
+        return false;
+    }
+
+    List<List<string>> all(Pstream::nProcs());
+
+    all[Pstream::myProcNo()] = overlaps_;
+    compat::allGather(all);
+    overlaps_.clear();
+
+    for (const List<string>& found : all)
+    {
+        for (const string& overlap : found)
         {
-            overlap = checkPair(bodies, h, pair) || overlap;
+            if (!overlaps_.found(overlap))
+            {
+                overlaps_.append(overlap);
+            }
         }
     }
 
-    return overlap;
+    return true;
+}
+
+
+bool Foam::proximityMonitor::check
+(
+    const PtrList<immersedBody>& bodies,
+    const immersedRegion& region,
+    const UList<scalar>& h
+)
+{
+    const scalarField gaps(wallGaps(bodies, region));
+
+    overlaps_.clear();
+
+    forAll(bodies, i)
+    {
+        note
+        (
+            bodies[i].name(),
+            "a wall",
+            isObstacle(bodies[i]) ? GREAT : gaps[i],
+            h[i],
+            bodies[i].shape().width()
+        );
+    }
+
+    for (const closePairs::pair& pair : findPairs(bodies, h))
+    {
+        checkPair(bodies, h, pair);
+    }
+
+    return gatherOverlaps();
 }
