@@ -123,20 +123,23 @@ void Foam::proximityMonitor::checkPair
     const immersedBody& a = bodies[pair.a];
     const immersedBody& b = bodies[pair.b];
 
-    // Those that are there for good may overlap each other
-    if (isObstacle(a) && isObstacle(b))
-    {
-        return;
-    }
+    const scalar near = max(margin(a, h[pair.a]), margin(b, h[pair.b]));
+    const scalar ofSpheres =
+        mag(b.state().position + pair.shift - a.state().position)
+      - a.shape().boundingRadius() - b.shape().boundingRadius();
 
-    note
-    (
-        a.name(),
-        b.name(),
-        contactPoint(a, b, pair.shift).gap,
-        max(margin(a, h[pair.a]), margin(b, h[pair.b])),
-        min(a.shape().width(), b.shape().width())
-    );
+    // Those that are there for good may overlap each other
+    if (ofSpheres < near && !(isObstacle(a) && isObstacle(b)))
+    {
+        note
+        (
+            a.name(),
+            b.name(),
+            contactPoint(a, b, pair.shift).gap,
+            near,
+            min(a.shape().width(), b.shape().width())
+        );
+    }
 }
 
 
