@@ -2,10 +2,7 @@
 
 #include "gapFilms.H"
 
-Foam::vector Foam::gapFilms::rollingVelocity
-(
-    const film& f
-) const
+Foam::vector Foam::gapFilms::rollingVelocity(const film& f) const
 {
     const pair& p = pairOf(f);
     const contactMover& a = movers_[p.a];
@@ -35,10 +32,7 @@ Foam::vector Foam::gapFilms::rollingVelocity
 }
 
 
-Foam::scalar Foam::gapFilms::inverseRollingMass
-(
-    const film& f
-) const
+Foam::scalar Foam::gapFilms::inverseRollingMass(const film& f) const
 {
     const pair& p = pairOf(f);
     const point& x = f.point.position;
