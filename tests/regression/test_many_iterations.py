@@ -21,11 +21,13 @@ def all_converge(case, run):
 
 
 @pytest.mark.parametrize("shape, ratio, most", [
-    ("disc", 0.01, 40), ("disc", 1.01, 7), ("disc", 2, 7), ("sphere", 0.5, 7),
+    ("disc", 0.01, 40), ("disc", 0.5, 10), ("disc", 1.01, 6), ("disc", 2, 6),
+    ("sphere", 0.5, 7), ("sphere", 1.01, 5),
 ])
 def test_release(shape, ratio, most, tmp_path, monkeypatch):
     """Not within 30 iterations where they are not combined; 58 at ratio 2. Without
-    added mass in the Newton step 22 at ratio 1.01."""
+    added mass in the Newton step 22 at ratio 1.01. With that of a disc alone, and
+    layers that respond by a tenth at least, 19 at ratio 0.5, 7 at 1.01 and 2."""
     monkeypatch.setattr(kissing, "RELEASED", 3)
     case, run = kissing.release(tmp_path, shape, ratio)
     all_converge(case, run)
@@ -44,8 +46,17 @@ def test_film(tmp_path):
     assert run.steps == 125
 
     # From rest 20 and 21 without added mass, 3.5 in the mean
-    assert max(run.outers) <= 12
+    assert max(run.outers) <= 7
     assert sum(run.outers)/run.steps < 3
+
+
+def test_squeeze(tmp_path):
+    """Two discs that are driven together: 38 iterations, 11 in the mean, where
+    the pressure in the gap between their layers falls by a tenth in each."""
+    case, run = kissing.pair(tmp_path, 1, 1.5)
+    all_converge(case, run)
+    assert max(run.outers) <= 30
+    assert sum(run.outers)/run.steps < 8
 
 
 def test_crowd_from_rest_and_in_contact(tmp_path):

@@ -24,6 +24,12 @@ namespace
     const Foam::scalar leastRatio = 0.5;
     const Foam::scalar leastRatioAtStart = 1;
 
+    //- Response of the fluid in layers, at least. That to a pressure which
+    //  alternates is momentumEquation::smoothingPart, and enough in a crowd,
+    //  most of whose steps have one iteration. In narrow gaps the pressure is
+    //  smooth, and converges slowly with as much.
+    const Foam::scalar leastResponse = 0.01;
+
     //- Does anything flow through a patch that is not coupled
     bool crossesPatches(const Foam::surfaceScalarField& phi)
     {
@@ -64,7 +70,13 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(divergence(phi_));
 
-    layers_.begin(layersLag());
+    layers_.begin
+    (
+        layersLag(),
+        bodies_.crowd().active()
+      ? momentumEquation::smoothingPart
+      : leastResponse
+    );
     if (layers_.active())
     {
         correction_.complete(tau.value());

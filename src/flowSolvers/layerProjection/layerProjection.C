@@ -6,7 +6,6 @@
 #include "fastPoissonPreconditioner.H"
 #include "fvcGrad.H"
 #include "fvmLaplacian.H"
-#include "momentumEquation.H"
 #include "PCG.H"
 #include "surfaceInterpolate.H"
 
@@ -42,7 +41,8 @@ Foam::layerProjection::layerProjection
         dp.mesh(),
         dimensionedScalar("1", dimless, 1)
     ),
-    active_(false)
+    active_(false),
+    least_(1)
 {
     dp.mesh().setFluxRequired(q_.name());
 }
@@ -54,10 +54,6 @@ void Foam::layerProjection::setResponse(const scalar c)
     const scalarField& shield = region_.sums().shield();
     const scalarField& faceShield = region_.sums().faceShield();
 
-    // The flux responds to a pressure that alternates by its smoothing, which
-    // bodies do not reduce
-    const scalar least = momentumEquation::smoothingPart;
-
     forAll(response_, celli)
     {
         response_[celli] = (1 - shield[celli])*c/(c + K[celli]);
@@ -67,7 +63,7 @@ void Foam::layerProjection::setResponse(const scalar c)
 
     auto shielded = [&](scalar& response, const label facei)
     {
-        response = max((1 - faceShield[facei])*response, least);
+        response = max((1 - faceShield[facei])*response, least_);
     };
 
     forAll(faceResponse_, facei)

@@ -90,7 +90,7 @@ Foam::scalar Foam::immersedBodies::correct
 (
     const solvedMomentum& solved,
     const bool response,
-    const bool addedMass
+    const scalar addedMass
 )
 {
     addProfiling(correct, "immersedBodies::correct");
@@ -100,7 +100,6 @@ Foam::scalar Foam::immersedBodies::correct
         loads_.measure(solved, response, region_);
     }
 
-    const scalar added = !addedMass ? 0 : space_.twoD() ? 1 : 0.5;
     scalar most = 0;
 
     forAll(bodies_, bodyi)
@@ -115,7 +114,7 @@ Foam::scalar Foam::immersedBodies::correct
 
         // One that is all but outside the mesh has nothing to go by
         const scalar change = !body.isFree() || loads_.inMesh(bodyi)
-          ? body.correctVelocity(loads_[bodyi], solved.ddt, g(), added)
+          ? body.correctVelocity(loads_[bodyi], solved.ddt, g(), addedMass)
           : 0;
 
         crowd_.note(bodyi, change);
