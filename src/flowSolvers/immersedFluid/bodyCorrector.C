@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "bodyContacts.H"
 
 namespace
 {
@@ -113,23 +114,23 @@ Foam::outerIteration::rate Foam::flowSolvers::immersedFluid::rate() const
 
 Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
 {
-    const bool twoD = bodies_.space().twoD();
+    // Of a disc or sphere that is alone in potential flow
+    const scalar alone = bodies_.space().twoD() ? 1 : 0.5;
 
     if (bodies_.crowd().active())
     {
-        return !bodies_.crowd().goesOn() ? 0 : twoD ? 1 : 0.5;
+        return bodies_.crowd().goesOn() ? alone : 0;
     }
 
     // Velocities that converge in two iterations do so to a smaller error
-    // without; others do so fastest with a mass half way between that of a disc
-    // or sphere alone and that of one at a wall, see bodyContacts
+    // without; others do so fastest half way between alone and at a wall
     const bool struggles =
         iteration_.number() > nPlain
      || (!iteration_.first() && iteration_.firstChange() > sudden);
 
-    return !layersServe() || (!struggles && CoNum >= SMALL)
-      ? 0
-      : twoD ? 1.65 : 0.65;
+    return layersServe() && (struggles || CoNum < SMALL)
+      ? 0.5*(alone + bodies_.contacts().addedMass())
+      : 0;
 }
 
 

@@ -70,17 +70,20 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(divergence(phi_));
 
-    layers_.begin
-    (
-        layersLag(),
-        bodies_.crowd().active()
-      ? momentumEquation::smoothingPart
-      : leastResponse
-    );
+    layers_.begin(layersLag());
     if (layers_.active())
     {
         correction_.complete(tau.value());
-        layers_.correct(tau, divPhi, phi_, p_);
+        layers_.correct
+        (
+            tau,
+            bodies_.crowd().active()
+          ? momentumEquation::smoothingPart
+          : leastResponse,
+            divPhi,
+            phi_,
+            p_
+        );
     }
     project(tau, layers_.active() ? divergence(phi_) : divPhi);
     updatePressure(divPhi);

@@ -41,14 +41,17 @@ Foam::layerProjection::layerProjection
         dp.mesh(),
         dimensionedScalar("1", dimless, 1)
     ),
-    active_(false),
-    least_(1)
+    active_(false)
 {
     dp.mesh().setFluxRequired(q_.name());
 }
 
 
-void Foam::layerProjection::setResponse(const scalar c)
+void Foam::layerProjection::setResponse
+(
+    const scalar c,
+    const scalar least
+)
 {
     const scalarField& K = region_.sums().K();
     const scalarField& shield = region_.sums().shield();
@@ -63,7 +66,7 @@ void Foam::layerProjection::setResponse(const scalar c)
 
     auto shielded = [&](scalar& response, const label facei)
     {
-        response = max((1 - faceShield[facei])*response, least_);
+        response = max((1 - faceShield[facei])*response, least);
     };
 
     forAll(faceResponse_, facei)
@@ -112,12 +115,13 @@ Foam::dictionary Foam::layerProjection::preconditioned() const
 void Foam::layerProjection::correct
 (
     const dimensionedScalar& tau,
+    const scalar least,
     const scalarField& divPhi,
     surfaceScalarField& phi,
     volScalarField& p
 )
 {
-    setResponse(1/tau.value());
+    setResponse(1/tau.value(), least);
     q_ = dimensionedScalar(q_.dimensions(), Zero);
 
     fvScalarMatrix equation

@@ -51,8 +51,6 @@ Foam::proximityMonitor::proximityMonitor
 :
     walls_(mesh, walls(mesh.boundaryMesh())),
     model_(contact),
-    contact_(contact.active()),
-    allowed_(contact.largestOverlap()),
     periodicity_(periods)
 {}
 
@@ -79,17 +77,19 @@ void Foam::proximityMonitor::note
     const scalar width
 )
 {
-    const bool overlap = gap < -0.5*allowed_*width;
+    const bool contact = model_.active();
+    const scalar allowed = 0.5*model_.largestOverlap()*width;
+    const bool overlap = gap < -allowed;
 
     // Nothing to say of nearly all
-    if (!overlap && (contact_ || gap >= h))
+    if (!overlap && (contact || gap >= h))
     {
         return;
     }
 
     const string pair(first + " and " + second);
 
-    if (!contact_ && gap < h && reported_.insert(pair))
+    if (!contact && gap < h && reported_.insert(pair))
     {
         WarningInFunction
             << "Gap of " << gap << " m between " << pair.c_str()
@@ -103,10 +103,10 @@ void Foam::proximityMonitor::note
         OStringStream os;
         os  << pair.c_str() << " by " << -gap << " m";
 
-        if (contact_)
+        if (contact)
         {
-            os  << " (allowed are " << 0.5*allowed_*width
-                << " m, 'largestOverlap " << allowed_ << "' in 'contact')";
+            os  << " (allowed are " << allowed << " m, 'largestOverlap "
+                << model_.largestOverlap() << "' in 'contact')";
         }
         overlaps_.append(os.str());
     }

@@ -21,6 +21,8 @@ PAIRS = {1.01: 18, 1: 3, 0.5: 18, 3: 18}
 QUICK = {1.01: 7.5, 1: 1.5, 0.5: 7.5}
 RATIOS = 0.01, 0.1, 0.5, 1.01, 2, 10, 1e4
 RELEASED = 8
+# Tolerance and iterations of the run that the others are compared with
+EXACT = "coupling { tolerance 1e-6; nOuterCorrectors 300; }"
 
 U = 'walls { type noSlip; } "front.*" { type empty; }'
 P = 'walls { type zeroGradient; } "front.*" { type empty; }'
@@ -45,9 +47,9 @@ def make_case(folder, name, ratio, mesh, walls):
     return case, n
 
 
-def pair(folder, ratio, end):
+def pair(folder, ratio, end, coupling=""):
     """Case and run of two discs; a heavy pair starts on top."""
-    name = f"pair r {ratio}"
+    name = f"pair r {ratio}{' exact'*bool(coupling)}"
     case, n = make_case(
         folder, name, ratio,
         (uniform(-3, 3, WIDTH*CELLS), uniform(-8, 8, HEIGHT*CELLS)),
@@ -69,14 +71,14 @@ def pair(folder, ratio, end):
         # Off the lines of the mesh, and not quite above each other
         ("follower", 0.07, y[0], -speed), ("leader", 0.02, y[1], speed),
     ))
-    case.bodies(bodies, NEAR)
+    case.bodies(bodies, NEAR + coupling)
     case.controls(endTime=f"{end}", deltaT=f"{STEP}")
     return case, Run(case, name, CELLS, n, may_fail=True)
 
 
-def release(folder, shape, ratio):
+def release(folder, shape, ratio, coupling=""):
     """The run of one body from rest."""
-    name = f"{shape} released r {ratio:g}"
+    name = f"{shape} released r {ratio:g}{' exact'*bool(coupling)}"
     side = graded(-4, 4, (-8*H, 8*H), H, 1.2)
     mesh, walls = (side, side), "x- x+ y- y+"
     if shape == "sphere":
@@ -92,7 +94,7 @@ def release(folder, shape, ratio):
             velocity    (0 0 0);
             angularVelocity (0 0 0);
         }}
-    """)
+    """, coupling)
     case.controls(endTime=f"{RELEASED*STEP:.6g}", deltaT=f"{STEP}")
     return case, Run(case, name, CELLS, n, may_fail=True)
 
@@ -114,6 +116,20 @@ def counts(case, run):
     yield run.row("outers, mean", np.mean(run.outers))
     yield run.row("outers, largest", max(run.outers))
     yield run.row("outers, first", run.outers[0])
+
+
+def compared(run, case, exact, bodies):
+    """Row: largest difference of velocities along gravity from those of the case
+    `exact`, over their largest."""
+    error = 0
+    for body in range(bodies):
+        v, best = (c.table("motion", body) for c in (case, exact))
+        at = np.interp(best["time"], v["time"], v["velocity_y"])
+        error = max(
+            error, abs(at - best["velocity_y"]).max()
+            / abs(best["velocity_y"]).max()
+        )
+    yield run.row("velocity off 1e-6, %", 100*error, 0, 100*error)
 
 
 def contact(case, run):
@@ -146,6 +162,11 @@ def rows(folder, quick):
         case, run = pair(folder, ratio, end)
         yield from counts(case, run)
         yield from contact(case, run)
+        exact, _ = pair(folder, ratio, end, EXACT)
+        yield from compared(run, case, exact, 2)
     for shape in ("disc", "sphere"):
         for ratio in RATIOS:
-            yield from counts(*release(folder, shape, ratio))
+            case, run = release(folder, shape, ratio)
+            yield from counts(case, run)
+            exact, _ = release(folder, shape, ratio, EXACT)
+            yield from compared(run, case, exact, 1)
