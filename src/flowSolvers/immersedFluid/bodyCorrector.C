@@ -128,7 +128,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
         iteration_.number() > nPlain
      || (!iteration_.first() && iteration_.firstChange() > sudden);
 
-    return layersServe() && (struggles || CoNum < SMALL)
+    return layersPay() && (struggles || CoNum < SMALL)
       ? 0.5*(alone + bodies_.contacts().addedMass())
       : 0;
 }
@@ -145,7 +145,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
     {
         return bodies_.correctCrowd(p_, drive, dt);
     }
-    if (iteration_.first() || !layersServe())
+    if (iteration_.first() || !layersPay())
     {
         return 0;
     }

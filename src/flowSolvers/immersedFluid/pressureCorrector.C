@@ -18,12 +18,6 @@ namespace
     const Foam::scalar maxLayerReach = 1.03;
     const Foam::scalar maxLayerCourant = 2;
 
-    //- Density ratio of bodies for which the pressure may respond in full: that
-    //  on lighter ones follows their own acceleration. At a sudden start, when
-    //  it is known least, it does so of all that are lighter than the fluid.
-    const Foam::scalar leastRatio = 0.5;
-    const Foam::scalar leastRatioAtStart = 1;
-
     //- Response of the fluid in layers, at least. That to a pressure which
     //  alternates is momentumEquation::smoothingPart, and enough in a crowd,
     //  most of whose steps have one iteration. In narrow gaps the pressure is
@@ -192,38 +186,29 @@ void Foam::flowSolvers::immersedFluid::project
 }
 
 
-Foam::scalar Foam::flowSolvers::immersedFluid::leastDensityRatio() const
-{
-    scalar least = GREAT;
-
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        least = min(least, bodies_[bodyi].densityRatio());
-    }
-
-    return least;
-}
-
-
 bool Foam::flowSolvers::immersedFluid::layersServe() const
 {
     return
         bodies_.list().anyFree()
      && viscousReach_ <= maxLayerReach
-     && CoNum <= maxLayerCourant
-     && leastDensityRatio() >= leastRatio;
+     && CoNum <= maxLayerCourant;
+}
+
+
+bool Foam::flowSolvers::immersedFluid::layersPay() const
+{
+    return
+        layersServe()
+     && (bodies_.crowd().active() || iteration_.most() > nPlain + 1);
 }
 
 
 bool Foam::flowSolvers::immersedFluid::layersLag() const
 {
-    const bool start =
-        iteration_.change() > sudden
-     && leastDensityRatio() >= leastRatioAtStart;
-
+    const bool start = iteration_.change() > sudden;
     const label before = bodies_.crowd().active() ? 0 : start ? 1 : nPlain;
 
-    return iteration_.number() > before && layersServe();
+    return iteration_.number() > before && layersPay();
 }
 
 

@@ -8,6 +8,10 @@ namespace
     //  from which on there is a crowd
     const Foam::label many = 10;
     const Foam::scalar close = 0.02;
+
+    //- Density ratio of those for which one iteration may be enough: lighter
+    //  ones follow the pressure
+    const Foam::scalar leastRatio = 0.5;
 }
 
 
@@ -27,13 +31,19 @@ void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
     before_ = active_;
 
     label nFree = 0;
+    bool heavy = true;
 
     for (const immersedBody& body : bodies_)
     {
-        nFree += body.resolved() && body.isFree();
+        if (body.resolved() && body.isFree())
+        {
+            ++nFree;
+            heavy = heavy && body.densityRatio() >= leastRatio;
+        }
     }
 
-    active_ = may && nFree >= many && region.bands().overlap() > close;
+    active_ =
+        may && heavy && nFree >= many && region.bands().overlap() > close;
 }
 
 
