@@ -65,6 +65,16 @@ def test_uniform_flow_has_no_stress(tmp_path):
         assert np.abs(stress).max() < 1e-7, name
 
 
+def test_without_shear_there_is_no_viscosity(tmp_path):
+    """A fluid at rest around a body that is held: 0/0."""
+    case = sheared_box(tmp_path, "box", 2, 16, rate=0)
+    case.bodies(DISC.format(0.25, 2, "(0 0 0)").replace(
+        "density", "motion { type fixed; } density"))
+    row = run(case, 0.1, 0.05)
+    assert row["shearRate"] == row["shearStress"] == 0
+    assert np.isnan(row["viscosity"])
+
+
 @pytest.mark.parametrize("stokes", [True, False], ids=["Stokes", "inertia"])
 def test_stress_of_the_box_is_that_of_the_walls(stokes, tmp_path):
     case = sheared_box(tmp_path, "box", 2, 32, stokes=stokes)

@@ -176,3 +176,30 @@ TEST_CASE("Limits of iterations that contradict", "[outerIteration]")
     );
     CHECK_THROWS(outerIteration(dict("tolerance 0;"), false));
 }
+
+
+TEST_CASE("Changes that grow are noted", "[outerIteration]")
+{
+    outerIteration iteration(dict(""), false);
+
+    const auto grown = [&](const std::vector<scalar>& changes)
+    {
+        iteration.begin();
+        for (const scalar change : changes)
+        {
+            iteration.next();
+            iteration.noteVelocities(change);
+        }
+        return iteration.grown();
+    };
+
+    CHECK(!grown({1, 0.5, 0.2, 0.1}));
+
+    // The second may be larger than the first
+    CHECK(!grown({0.5, 1, 0.5, 0.2}));
+    CHECK(grown({0.5, 1, 0.5, 0.7, 0.1, 0.05}));
+
+    // In one time step only
+    iteration.begin();
+    CHECK(!iteration.grown());
+}

@@ -124,13 +124,20 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
 
     // Velocities that converge in two iterations do so to a smaller error
     // without; others do so fastest half way between alone and at a wall
-    const bool struggles =
-        iteration_.number() > nPlain
-     || (!iteration_.first() && iteration_.firstChange() > sudden);
+    const bool start =
+        !iteration_.first() && iteration_.firstChange() > sudden;
+    const bool struggles = start || iteration_.number() > nPlain;
 
-    return layersPay() && (struggles || CoNum < SMALL)
-      ? 0.5*(alone + bodies_.contacts().addedMass())
-      : 0;
+    if (!layersPay() || !(struggles || CoNum < SMALL))
+    {
+        return 0;
+    }
+
+    // A group that is swept along a channel has more: from the second iteration
+    // of a sudden start on its changes would grow
+    const scalar halfWay = 0.5*(alone + bodies_.contacts().addedMass());
+
+    return start && iteration_.grown() ? 2*halfWay : halfWay;
 }
 
 
@@ -173,6 +180,8 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     (
         solved, free && iteration_.first(), addedMass()
     );
+    iteration_.noteVelocities(ofBodies);
+
     const scalar change = max
     (
         max(ofBodies, pressureChange(1/ddt.c)),

@@ -13,9 +13,8 @@
 
 namespace
 {
-    //- Viscous reach, in cells, squared, and Courant number up to which the
-    //  response of the fluid to the pressure is that of layerProjection
-    const Foam::scalar maxLayerReach = 1.03;
+    //- Courant number up to which the response of the fluid to the pressure is
+    //  that of layerProjection
     const Foam::scalar maxLayerCourant = 2;
 
     //- Response of the fluid in layers, at least. That to a pressure which
@@ -188,10 +187,7 @@ void Foam::flowSolvers::immersedFluid::project
 
 bool Foam::flowSolvers::immersedFluid::layersServe() const
 {
-    return
-        bodies_.list().anyFree()
-     && viscousReach_ <= maxLayerReach
-     && CoNum <= maxLayerCourant;
+    return bodies_.list().anyFree() && CoNum <= maxLayerCourant;
 }
 
 

@@ -209,7 +209,7 @@ void Foam::functionObjects::suspensionStress::setValues()
     values.append(phi_);
     values.append(rate);
     values.append(stress);
-    values.append(stress/rate);
+    values.append(mag(rate) > VSMALL ? stress/rate : NAN);
     values.append((flow_ & S & flow_) - (gradient_ & S & gradient_));
     if (!twoD)
     {

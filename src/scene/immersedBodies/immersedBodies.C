@@ -112,9 +112,9 @@ Foam::immersedBodies::immersedBodies
         bodies_,
         moving_
     ),
-    pressure_(bodies_, region_, periodicity_),
     frame_(new comovingDerivative(mesh, region_.neighbours())),
     loads_(mesh, dict.subOrEmptyDict("bodies"), bodies_),
+    pressure_(bodies_, region_, loads_, periodicity_),
     unresolved_
     (
         new unresolvedBodies

@@ -58,6 +58,8 @@ Foam::outerIteration::outerIteration
     number_(0),
     converged_(false),
     lost_(false),
+    grown_(false),
+    velocityChange_(0),
     firstChange_(0),
     change_(0),
     speedChange_(0),
@@ -94,6 +96,7 @@ void Foam::outerIteration::begin()
     number_ = 0;
     converged_ = lost_ = false;
     change_ = 0;
+    grown_ = false;
 }
 
 
@@ -156,6 +159,13 @@ void Foam::outerIteration::note
             change <= enough_
          || (!free && number_ >= lastForLoads)
         );
+}
+
+
+void Foam::outerIteration::noteVelocities(const scalar change)
+{
+    grown_ = grown_ || (number_ > 2 && change > velocityChange_);
+    velocityChange_ = change;
 }
 
 

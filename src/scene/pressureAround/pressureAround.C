@@ -7,11 +7,13 @@ Foam::pressureAround::pressureAround
 (
     bodyList& bodies,
     const immersedRegion& region,
+    const bodyLoads& loads,
     const periodicity& periods
 )
 :
     bodies_(bodies),
     region_(region),
+    loads_(loads),
     periods_(periods),
     gradP_(bodies, Zero)
 {}
@@ -93,7 +95,9 @@ Foam::scalar Foam::pressureAround::speedChange
 ) const
 {
     const immersedBody& body = bodies_[bodyi];
-    const scalar part = body.isFree() ? 3/(2*body.densityRatio() + 1) : 1;
+    const scalar response = max(loads_[bodyi].a*dt/body.volume(), 1);
+    const scalar part =
+        body.isFree() ? 1.5/(body.densityRatio() + response - 0.5) : 1;
 
     return part*dt*mag(gradP - gradP_[bodyi]);
 }
