@@ -13,8 +13,11 @@
 
 namespace
 {
-    //- Courant number up to which the response of the fluid to the pressure is
-    //  that of layerProjection
+    //- Viscous reach, in cells, squared, and Courant number up to which the
+    //  response of the fluid to the pressure is that of layerProjection. In more
+    //  viscous fluid velocities converge before the pressure does, and those
+    //  iterations cost more than they help, but for bodies that are squeezed
+    const Foam::scalar maxLayerReach = 1.03;
     const Foam::scalar maxLayerCourant = 2;
 
     //- Response of the fluid in layers, at least. That to a pressure which
@@ -187,7 +190,10 @@ void Foam::flowSolvers::immersedFluid::project
 
 bool Foam::flowSolvers::immersedFluid::layersServe() const
 {
-    return bodies_.list().anyFree() && CoNum <= maxLayerCourant;
+    return
+        bodies_.list().anyFree()
+     && viscousReach_ <= maxLayerReach
+     && CoNum <= maxLayerCourant;
 }
 
 
