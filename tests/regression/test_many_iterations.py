@@ -13,6 +13,9 @@ from report import Report  # noqa: E402
 
 kissing = Report.load(Path(__file__).parents[1] / "benchmarks/kissing")
 crowd = Report.load(Path(__file__).parents[1] / "benchmarks/crowd")
+lightBodies = Report.load(
+    Path(__file__).parents[1] / "benchmarks/lightBodies"
+)
 
 
 def all_converge(case, run):
@@ -58,6 +61,16 @@ def test_squeeze(tmp_path):
     all_converge(case, run)
     assert max(run.outers) <= 30
     assert sum(run.outers)/run.steps < 8
+
+
+def test_light_group_in_a_channel(tmp_path):
+    """Five discs of a hundredth of the fluid's density that it sweeps along:
+    with the added mass of one alone changes grow, and steps were repeated."""
+    run = lightBodies.run_case(
+        *lightBodies.prepare(tmp_path, 2), tmp_path, 2, 1000, 0.01, 0.5
+    )
+    assert not run.reason and run.repeats == 0
+    assert run.converged == len(run.outers) == lightBodies.STEPS
 
 
 def test_crowd_from_rest_and_in_contact(tmp_path):

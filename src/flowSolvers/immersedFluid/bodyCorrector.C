@@ -124,9 +124,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
 
     // Velocities that converge in two iterations do so to a smaller error
     // without; others do so fastest half way between alone and at a wall
-    const bool start =
-        !iteration_.first() && iteration_.firstChange() > sudden;
-    const bool struggles = start || iteration_.number() > nPlain;
+    const bool struggles = suddenStart() || iteration_.number() > nPlain;
 
     if (!layersPay() || !(struggles || CoNum < SMALL))
     {
@@ -137,7 +135,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
     // of a sudden start on its changes would grow
     const scalar halfWay = 0.5*(alone + bodies_.contacts().addedMass());
 
-    return start && iteration_.grown() ? 2*halfWay : halfWay;
+    return suddenStart() && iteration_.grown() ? 2*halfWay : halfWay;
 }
 
 

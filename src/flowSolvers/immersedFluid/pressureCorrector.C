@@ -188,6 +188,12 @@ void Foam::flowSolvers::immersedFluid::project
 }
 
 
+bool Foam::flowSolvers::immersedFluid::suddenStart() const
+{
+    return !iteration_.first() && iteration_.firstChange() > sudden;
+}
+
+
 bool Foam::flowSolvers::immersedFluid::layersServe() const
 {
     return
@@ -207,8 +213,8 @@ bool Foam::flowSolvers::immersedFluid::layersPay() const
 
 bool Foam::flowSolvers::immersedFluid::layersLag() const
 {
-    const bool start = iteration_.change() > sudden;
-    const label before = bodies_.crowd().active() ? 0 : start ? 1 : nPlain;
+    const label before =
+        bodies_.crowd().active() ? 0 : suddenStart() ? 1 : nPlain;
 
     return iteration_.number() > before && layersPay();
 }
