@@ -131,17 +131,22 @@ contact
 """
 
 
-def test_two_that_are_pressed_onto_each_other(tmp_path):
-    """Their contact has the force times the distance, over the volume."""
-    case = sheared_box(tmp_path, "box", 2, 32, rate=0)
-    force = 0.01
-    # As deep as contact holds the force: a fluid that is squeezed between them
-    # takes long to let go
-    one = DISC.format(0.25, 5, "(-0.249986 0 0)").replace(
+def pressed_pair(folder, half, force):
+    """Two discs with their centres at -half and half, pressed together."""
+    case = sheared_box(folder, "box", 2, 32, rate=0)
+    one = DISC.format(0.25, 5, f"(-{half} 0 0)").replace(
         "densityRatio", PUSH.format(force))
-    other = DISC.format(0.25, 5, "(0.249986 0 0)").replace(
+    other = DISC.format(0.25, 5, f"({half} 0 0)").replace(
         "densityRatio", PUSH.format(-force)).replace("disc\n", "other\n")
     case.bodies(one + other, CONTACT)
+    return case
+
+
+def test_two_that_are_pressed_onto_each_other(tmp_path):
+    """Their contact has the force times the distance, over the volume."""
+    force = 0.01
+    # As deep as contact holds the force
+    case = pressed_pair(tmp_path, 0.249986, force)
     row = run(case, 0.5, 0.02)
     x = [case.table("motion", body)["position_x"][-1] for body in (0, 1)]
     contact = part(row, "contact")
@@ -155,6 +160,16 @@ def test_two_that_are_pressed_onto_each_other(tmp_path):
     assert np.abs(contact).max() == -contact[0, 0]
     assert row["contacts"] == 1 and row["largestCluster"] == 2
     assert row["leastGap"] == pytest.approx(x[1] - x[0] - 0.5, abs=1e-9)
+
+
+@pytest.mark.parametrize("half", [0.24985, 0.2498])
+def test_fluid_that_is_squeezed_lets_go(half, tmp_path):
+    """Ten times as deep at the start: they move apart, by layers of fluid."""
+    force = 0.01
+    case = pressed_pair(tmp_path, half, force)
+    run(case, 0.5, 0.02)
+    pressed = case.table("forces", 1)["contactForce_x"][-1]
+    assert pressed == pytest.approx(force, rel=0.02)
 
 
 def test_ranks(tmp_path):

@@ -63,7 +63,7 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
     {
         viscousReach_ = gMax(momentumTransport->nu()().primitiveField())
            *runTime_.deltaTValue()/sqr(bodies_.minCellSize());
-        bodies_.findCrowd(layersServe());
+        bodies_.findCrowd(layersServe(false));
     }
 }
 

@@ -16,7 +16,8 @@ namespace
     //- Viscous reach, in cells, squared, and Courant number up to which the
     //  response of the fluid to the pressure is that of layerProjection. In more
     //  viscous fluid velocities converge before the pressure does, and those
-    //  iterations cost more than they help, but for bodies that are squeezed
+    //  iterations cost more than they help, but for bodies in contact: the fluid
+    //  that they squeeze bears part of what presses them, until it has gone
     const Foam::scalar maxLayerReach = 1.03;
     const Foam::scalar maxLayerCourant = 2;
 
@@ -194,20 +195,25 @@ bool Foam::flowSolvers::immersedFluid::suddenStart() const
 }
 
 
-bool Foam::flowSolvers::immersedFluid::layersServe() const
+bool Foam::flowSolvers::immersedFluid::layersServe(const bool squeezed) const
 {
     return
         bodies_.list().anyFree()
-     && viscousReach_ <= maxLayerReach
+     && (squeezed || viscousReach_ <= maxLayerReach)
      && CoNum <= maxLayerCourant;
 }
 
 
 bool Foam::flowSolvers::immersedFluid::layersPay() const
 {
+    if (bodies_.crowd().active())
+    {
+        return layersServe(false);
+    }
+
     return
-        layersServe()
-     && (bodies_.crowd().active() || iteration_.most() > nPlain + 1);
+        iteration_.most() > nPlain + 1
+     && layersServe(bodies_.list().anyInContact());
 }
 
 

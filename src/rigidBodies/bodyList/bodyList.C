@@ -48,6 +48,20 @@ bool Foam::bodyList::anyFree() const
 }
 
 
+bool Foam::bodyList::anyInContact() const
+{
+    for (const immersedBody& body : *this)
+    {
+        if (body.resolved() && body.contact().any())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 bool Foam::bodyList::atRest() const
 {
     for (const immersedBody& body : *this)
