@@ -11,6 +11,20 @@ namespace
 const label nBodies = 3*grainShare::fewest;
 
 
+//- Most of the bodies on the last rank, every seventh on none
+labelList owners()
+{
+    labelList result(nBodies, Pstream::nProcs() - 1);
+
+    forAll(result, i)
+    {
+        result[i] = i % 7 == 0 ? -1 : i % 5 == 0 ? 0 : result[i];
+    }
+
+    return result;
+}
+
+
 //- What a rank adds to value k of a body; nothing to most
 scalar part(const label rank, const label bodyi, const label k)
 {
@@ -40,41 +54,51 @@ TEST_CASE("Sums over ranks are complete on the rank of a body", "[unresolved]")
     const label nGrains = GENERATE(label(10), nBodies);
     const label n = 2, me = Pstream::myProcNo();
     grainShare share;
-    scalarField values(n*nBodies, Zero);
 
-    share.divide(nBodies, nGrains);
-    CHECK
-    (
-        share.active()
-     == (Pstream::parRun() && nGrains >= grainShare::fewest*Pstream::nProcs())
-    );
+    share.divide(owners(), nGrains);
 
-    for (label i = 0; i < nBodies; ++i)
+    const bool active =
+        Pstream::parRun() && nGrains >= grainShare::fewest*Pstream::nProcs();
+    CHECK(share.active() == active);
+
+    // Of the others those to which this rank adds something, backwards
+    const auto used = [&](const label i){ return (i + me) % 3 == 0; };
+    DynamicList<label> bodies;
+    labelList place(nBodies, -1);
+
+    for (label i = nBodies - 1; i >= 0; --i)
     {
-        values[n*i] = part(me, i, 0);
-        values[n*i + 1] = part(me, i, 1);
+        if (share.mine(i) || used(i))
+        {
+            place[i] = bodies.size();
+            bodies.append(i);
+        }
     }
 
-    share.sum
-    (
-        values, n, [&](const label i){ return (i + me) % 3 == 0; }
-    );
+    scalarField values(n*bodies.size());
+
+    forAll(bodies, k)
+    {
+        values[n*k] = part(me, bodies[k], 0);
+        values[n*k + 1] = part(me, bodies[k], 1);
+    }
+
+    share.sum(values, n, bodies, place, used);
 
     label nMine = 0;
 
-    for (label i = 0; i < nBodies; ++i)
+    forAll(bodies, k)
     {
+        const label i = bodies[k];
+
         if (share.mine(i))
         {
             ++nMine;
-            CHECK(values[n*i] == Approx(whole(i, 0)));
-            CHECK(values[n*i + 1] == Approx(whole(i, 1)));
+            CHECK(values[n*k] == Approx(whole(i, 0)));
+            CHECK(values[n*k + 1] == Approx(whole(i, 1)));
         }
     }
-    if (share.active())
-    {
-        CHECK(mag(nMine - nBodies/Pstream::nProcs()) <= 1);
-    }
+    CHECK(nMine == (active ? share.own().size() : nBodies));
 }
 
 
@@ -83,7 +107,7 @@ TEST_CASE("All ranks are given what each has found", "[unresolved]")
     grainShare share;
     List<vector> found(nBodies, vector::zero);
 
-    share.divide(nBodies, nBodies);
+    share.divide(owners(), nBodies);
     forAll(found, i)
     {
         if (share.mine(i))
@@ -96,7 +120,10 @@ TEST_CASE("All ranks are given what each has found", "[unresolved]")
     REQUIRE(found.size() == nBodies);
     forAll(found, i)
     {
-        CHECK(found[i] == vector(i, -i, 1));
+        // One that no rank has stays as it is
+        const bool none = share.active() && owners()[i] < 0;
+
+        CHECK(found[i] == (none ? vector(Zero) : vector(i, -i, 1)));
     }
 }
 

@@ -82,7 +82,7 @@ contactMovers moved(const Scene& scene, const bool often)
                 motion.setVelocities(i, U, omega);
             }
         }
-        motion.kicked();
+        motion.goOn();
         if (step < nSteps - 1)
         {
             motion.next();

@@ -4,6 +4,13 @@
 #include "exchange.H"
 #include "ListOps.H"
 
+namespace
+{
+    //- Numbers that ranks exchange of a mover: which one, velocity and spin
+    const Foam::label perKick = 7;
+}
+
+
 void Foam::contactMovers::share
 (
     const PtrList<immersedBody>& bodies,
@@ -76,34 +83,90 @@ void Foam::contactMovers::connect()
 
     flatten(sent, send_, sendStart_);
     flatten(received, receive_, receiveStart_);
+
+    labelList sizes(Pstream::nProcs());
+
+    forAll(sizes, rank)
+    {
+        const label n = receiveStart_[rank + 1] - receiveStart_[rank];
+
+        sizes[rank] = n > 0 ? 1 + perKick*n : 0;
+    }
+    kicksStart_ = offsets(sizes);
 }
 
 
-void Foam::contactMovers::exchangeVelocities()
+void Foam::contactMovers::exchangeVelocities
+(
+    const UList<bool>& touched,
+    const label subStep
+)
 {
     if (!shared())
     {
         return;
     }
 
-    List<velocities> sent(send_.size()), received(receive_.size());
+    // Of each rank the number of kicks, and for each its place among those that
+    // may be sent, and the velocities
+    DynamicList<scalar> sent;
+    labelList start(1, label(0));
 
-    forAll(send_, i)
+    for (label rank = 0; rank < Pstream::nProcs(); ++rank)
     {
-        const contactMover& m = (*this)[send_[i]];
+        const label first = sendStart_[rank], end = sendStart_[rank + 1];
+        const label number = sent.size();
 
-        sent[i] = velocities{m.state.U, m.state.omega, m.kicked};
+        if (first < end)
+        {
+            sent.append(0);
+        }
+        for (label k = first; k < end; ++k)
+        {
+            if (touched[send_[k]])
+            {
+                const vector& U = (*this)[send_[k]].state.U;
+                const vector& omega = (*this)[send_[k]].state.omega;
+
+                sent[number] += 1;
+                sent.append(k - first);
+                for (direction i = 0; i < 3; ++i)
+                {
+                    sent.append(U[i]);
+                }
+                for (direction i = 0; i < 3; ++i)
+                {
+                    sent.append(omega[i]);
+                }
+            }
+        }
+        start.append(sent.size());
     }
 
-    exchange(sent, sendStart_, received, receiveStart_);
+    scalarList received(kicksStart_.last());
 
-    forAll(receive_, i)
+    exchange(sent, start, received, kicksStart_);
+    take(received, subStep);
+}
+
+
+void Foam::contactMovers::take(const UList<scalar>& kicks, const label subStep)
+{
+    for (label rank = 0; rank < Pstream::nProcs(); ++rank)
     {
-        contactMover& m = (*this)[receive_[i]];
+        const label first = kicksStart_[rank];
+        const label n = first < kicksStart_[rank + 1] ? label(kicks[first]) : 0;
 
-        m.state.U = received[i].U;
-        m.state.omega = received[i].omega;
-        m.kicked = received[i].kicked;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar* kick = &kicks[first + 1 + perKick*i];
+            const label which = receiveStart_[rank] + label(kick[0]);
+            contactMover& m = (*this)[receive_[which]];
+
+            m.state.U = vector(kick[1], kick[2], kick[3]);
+            m.state.omega = vector(kick[4], kick[5], kick[6]);
+            m.kicked = subStep;
+        }
     }
 }
 
@@ -120,6 +183,18 @@ Foam::contactMovers::outcome Foam::contactMovers::outcomeOf(const contactMover& 
 }
 
 
+bool Foam::contactMovers::diverted(const contactMover& m)
+{
+    // One that is not round turns in sub-steps on another way than in one
+    return
+        !m.round
+     || m.dU != vector::zero
+     || m.dOmega != vector::zero
+     || m.impulse.linear != vector::zero
+     || m.impulse.angular != vector::zero;
+}
+
+
 void Foam::contactMovers::collect()
 {
     if (!shared())
@@ -131,7 +206,7 @@ void Foam::contactMovers::collect()
 
     for (const contactMover& m : *this)
     {
-        if (share_.mine(m.body))
+        if (share_.mine(m.body) && diverted(m))
         {
             mine.append(outcomeOf(m));
         }

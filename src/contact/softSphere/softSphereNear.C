@@ -174,7 +174,7 @@ void Foam::contactModels::softSphere::findTouches
 
     touches_.clear();
     films_.clear();
-    motion.bringExchanged();
+    motion.bringReceived();
 
     for (const label i : clearance_.due())
     {

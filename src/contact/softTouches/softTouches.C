@@ -189,7 +189,7 @@ void Foam::softTouches::kick
     // Half of it with the forces at its start, all with those in the middle
     sumForces(false);
     halfKick(h);
-    movers_.exchangeVelocities();
+    motion.exchange(isTouched_);
     sumForces(true);
     sumLosses(h, energy);
     sumImpulses(h);
@@ -206,7 +206,8 @@ void Foam::softTouches::kick
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;
     }
-    motion.kicked();
+    motion.exchange(isTouched_);
+    motion.goOn();
 }
 
 

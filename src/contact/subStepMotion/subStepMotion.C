@@ -130,12 +130,8 @@ void Foam::subStepMotion::land(const label moveri)
 }
 
 
-void Foam::subStepMotion::bringExchanged()
+void Foam::subStepMotion::bringReceived()
 {
-    for (const label moveri : movers_.sent())
-    {
-        bring(moveri);
-    }
     for (const label moveri : movers_.received())
     {
         bring(moveri);
@@ -159,10 +155,14 @@ void Foam::subStepMotion::setVelocities
 }
 
 
-void Foam::subStepMotion::kicked()
+void Foam::subStepMotion::exchange(const UList<bool>& touched)
 {
-    movers_.exchangeVelocities();
+    movers_.exchangeVelocities(touched, step_);
+}
 
+
+void Foam::subStepMotion::goOn()
+{
     for (const label moveri : kicked_)
     {
         fly(moveri);

@@ -17,9 +17,10 @@ Foam::grainKernels::grainKernels
     periods_(periods),
     cells_(keywords::positiveOr(dict, "cells", 3)),
     diameters_(keywords::positiveOr(dict, "diameters", 2)),
-    centres_(mesh_.cellCentres(), false),
+    bounds_(mesh_),
     kernels_(bodies),
-    inside_(bodies, false)
+    inside_(bodies, false),
+    nUnresolved_(0)
 {
     keywords::check(dict, {"cells", "diameters"});
 
@@ -82,15 +83,15 @@ void Foam::grainKernels::report(Ostream& os) const
 
 void Foam::grainKernels::spread
 (
-    const vectorField& ofBodies,
+    const vectorField& ofOrdered,
     vectorField& inCells
 ) const
 {
-    for (const label bodyi : ordered_)
+    forAll(ordered_, k)
     {
-        const vector& given = ofBodies[bodyi];
+        const vector& given = ofOrdered[k];
 
-        kernels_[bodyi].forCells
+        kernels_[ordered_[k]].forCells
         (
             [&](const label celli, const scalar w, const point&, const vector&)
             {
@@ -115,6 +116,7 @@ void Foam::grainKernels::sort(const PtrList<immersedBody>& bodies)
         }
     }
 
+    nUnresolved_ = unresolved.size();
     ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
 }
 
@@ -130,6 +132,7 @@ void Foam::grainKernels::update
         if (bodies[i].resolved())
         {
             kernels_[i].clear();
+            inside_[i] = false;
         }
     }
     sort(bodies);
@@ -140,76 +143,19 @@ void Foam::grainKernels::update
         (
             bodies[i].state().position,
             max(cells_*h[i], diameters_*diameter(bodies[i])),
-            centres_,
+            bounds_.mine(),
             search_,
             periods_
         );
     }
 
-    share_.divide(bodies.size(), ordered_.size());
-
-    if (!ordered_.empty())
+    if (nUnresolved_ == 0)
     {
-        normalise(h);
-    }
-}
-
-
-Foam::List<Foam::grainKernels::found> Foam::grainKernels::findings() const
-{
-    DynamicList<found> mine(ordered_.size());
-
-    for (const label i : ordered_)
-    {
-        const bodyKernel& kernel = kernels_[i];
-        const label centre = kernel.centreCell();
-
-        if (onRank(i) || centre >= 0 || kernel.nBeside())
-        {
-            mine.append
-            (
-                found
-                {
-                    i,
-                    kernel.sum(mesh_.V()),
-                    label(centre >= 0), kernel.nBeside(),
-                    centre >= 0 ? search_.hMax(centre) : 0, kernel.hBeside()
-                }
-            );
-        }
+        share_.divide(labelList(), 0);
+        return;
     }
 
-    return gatherAll<found>(mine);
-}
-
-
-void Foam::grainKernels::normalise(scalarList& h)
-{
-    List<found> sums(kernels_.size(), found{-1, 0, 0, 0, 0, 0});
-
-    for (const found& one : findings())
-    {
-        found& sum = sums[one.body];
-
-        sum.weights += one.weights;
-        sum.nCentre += one.nCentre;
-        sum.nBeside += one.nBeside;
-        sum.hCentre += one.hCentre;
-        sum.hBeside += one.hBeside;
-    }
-
-    forAll(sums, i)
-    {
-        const found& sum = sums[i];
-
-        inside_[i] = sum.nCentre || sum.nBeside;
-
-        if (inside_[i])
-        {
-            h[i] = sum.nCentre
-              ? sum.hCentre/sum.nCentre
-              : sum.hBeside/sum.nBeside;
-        }
-        kernels_[i].normalise(inside_[i] ? sum.weights : 0);
-    }
+    share_.divide(find(h), nUnresolved_);
+    keepNear();
+    normalise();
 }

@@ -39,14 +39,15 @@ void addInCells
 template<class Value>
 Foam::vectorField Foam::unresolvedCoupling::kernelMeans
 (
-    const label n,
     const Value& value
 ) const
 {
-    scalarField sums(3*n, Zero);
+    const labelList& ordered = kernels_.ordered();
+    scalarField sums(3*ordered.size(), Zero);
 
-    for (const label bodyi : kernels_.ordered())
+    forAll(ordered, i)
     {
+        const label bodyi = ordered[i];
         vector mean(Zero);
 
         kernels_[bodyi].forCells
@@ -64,13 +65,13 @@ Foam::vectorField Foam::unresolvedCoupling::kernelMeans
         );
         for (direction k = 0; k < 3; ++k)
         {
-            sums[3*bodyi + k] = mean[k];
+            sums[3*i + k] = mean[k];
         }
     }
 
     kernels_.sum(sums, 3);
 
-    vectorField means(n);
+    vectorField means(ordered.size());
 
     forAll(means, i)
     {
@@ -97,7 +98,6 @@ void Foam::unresolvedCoupling::setForces
     (
         kernelMeans
         (
-            bodies.size(),
             [&](const label, const label celli, const vector&)
             {
                 return a[celli];
@@ -109,33 +109,35 @@ void Foam::unresolvedCoupling::setForces
     dense.active = true;
     dense.maxFraction = 1 - minVoid_;
     forces_ = List<grainForce>(bodies.size());
-    torques_.resize(bodies.size());
+    torques_.resize(samples.size());
 
-    forAll(bodies, bodyi)
+    forAll(samples, i)
     {
+        const label bodyi = kernels_.ordered()[i];
+
         if (!kernels_.moves(bodyi))
         {
             continue;
         }
 
-        dense.pressure = pressure[bodyi];
+        dense.pressure = pressure[i];
 
         const unresolvedMotion motion
         (
             drag_(),
-            samples[bodyi],
+            samples[i],
             bodies[bodyi],
             *grains_[bodyi].shape,
             ddt,
             g,
             vector::zero,
-            fluctuation(samples[bodyi], bodies[bodyi]),
+            fluctuation(samples[i], bodies[bodyi]),
             lifts_,
             dense
         );
 
         forces_[bodyi] = motion.implicitForce(bodies[bodyi], ddt, g);
-        torques_[bodyi] = motion.torque();
+        torques_[i] = motion.torque();
     }
 }
 
@@ -186,7 +188,6 @@ void Foam::unresolvedCoupling::advance
     (
         kernelMeans
         (
-            bodies.size(),
             [&](const label bodyi, const label celli, const vector& imageU)
             {
                 const grainForce& f = forces_[bodyi];
@@ -196,22 +197,24 @@ void Foam::unresolvedCoupling::advance
         )
     );
 
-    forAll(bodies, bodyi)
+    forAll(kernels_.ordered(), i)
     {
+        const label bodyi = kernels_.ordered()[i];
+
         if (!kernels_.moves(bodyi))
         {
             continue;
         }
 
-        const vector F(varying[bodyi] + forces_[bodyi].f);
+        const vector F(varying[i] + forces_[bodyi].f);
         immersedBody& body = bodies[bodyi];
 
         // The equation is linear: the second time sets the load only
         for (label k = 0; k < 2; ++k)
         {
-            body.correctVelocity(torques_[bodyi].load(body, ddt, F), ddt, g);
+            body.correctVelocity(torques_[i].load(body, ddt, F), ddt, g);
         }
     }
 
-    giveCorrections(bodies);
+    giveCorrections(bodies, ddt);
 }

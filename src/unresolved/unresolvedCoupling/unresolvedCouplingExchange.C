@@ -8,11 +8,12 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
     const PtrList<immersedBody>& bodies
 ) const
 {
-    List<fluidSample> samples(bodies.size());
+    List<fluidSample> samples(kernels_.ordered().size());
 
-    for (const label bodyi : kernels_.ordered())
+    forAll(samples, i)
     {
-        fluidSample& sum = samples[bodyi];
+        const label bodyi = kernels_.ordered()[i];
+        fluidSample& sum = samples[i];
         const scalar D = grainKernels::diameter(bodies[bodyi]);
         const scalar perD = frozen_ ? 0 : 1/D;
 
@@ -46,18 +47,12 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
 
         forAll(samples, i)
         {
-            if (kernels_.onRank(i))
-            {
-                samples[i].pack(packed, n*i);
-            }
+            samples[i].pack(packed, n*i);
         }
         kernels_.sum(packed, n);
         forAll(samples, i)
         {
-            if (kernels_.share().mine(i))
-            {
-                samples[i].unpack(packed, n*i);
-            }
+            samples[i].unpack(packed, n*i);
         }
     }
 
@@ -117,15 +112,16 @@ void Foam::unresolvedCoupling::correct
 
     if (keep)
     {
-        torques_.resize(bodies.size());
-        moved_.resize(bodies.size());
+        torques_.resize(samples.size());
+        moved_.resize(samples.size());
     }
 
-    forAll(bodies, i)
+    forAll(samples, i)
     {
-        immersedBody& body = bodies[i];
+        const label bodyi = kernels_.ordered()[i];
+        immersedBody& body = bodies[bodyi];
 
-        if (body.resolved() || !kernels_.moves(i))
+        if (!kernels_.moves(bodyi))
         {
             continue;
         }
@@ -135,7 +131,7 @@ void Foam::unresolvedCoupling::correct
             drag_(),
             samples[i],
             body,
-            *grains_[i].shape,
+            *grains_[bodyi].shape,
             ddt,
             g,
             meshU,
@@ -158,6 +154,6 @@ void Foam::unresolvedCoupling::correct
         }
     }
 
-    giveCorrections(bodies);
+    giveCorrections(bodies, ddt);
     kernels_.spread(loads(bodies) - before, force);
 }

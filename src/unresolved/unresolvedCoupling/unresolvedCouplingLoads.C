@@ -13,11 +13,12 @@ void Foam::unresolvedCoupling::follow
     const vectorField before(loads(bodies));
     bool any = false;
 
-    forAll(bodies, i)
+    forAll(kernels_.ordered(), i)
     {
-        immersedBody& body = bodies[i];
+        const label bodyi = kernels_.ordered()[i];
+        immersedBody& body = bodies[bodyi];
 
-        if (body.resolved() || !kernels_.moves(i) || !hitAnew(body, moved_[i]))
+        if (!kernels_.moves(bodyi) || !hitAnew(body, moved_[i]))
         {
             continue;
         }
@@ -40,7 +41,7 @@ void Foam::unresolvedCoupling::follow
 
     if (returnReduce(any, orOp<bool>()))
     {
-        giveCorrections(bodies);
+        giveCorrections(bodies, ddt);
         kernels_.spread(loads(bodies) - before, force);
     }
 }
@@ -64,46 +65,72 @@ bool Foam::unresolvedCoupling::hitAnew
 
 void Foam::unresolvedCoupling::giveCorrections
 (
+    PtrList<immersedBody>& bodies,
+    const ddtCoefficients& ddt
+) const
+{
+    const grainShare& share = kernels_.share();
+
+    if (share.active())
+    {
+        List<correction> own(share.own().size());
+        List<turbulentEddy> eddies(disperses() ? own.size() : 0);
+
+        forAll(own, k)
+        {
+            const immersedBody& body = bodies[share.own()[k]];
+            const bodyState& state = body.state();
+
+            own[k] = correction{state.U, state.omega, body.fluid().load()};
+            if (disperses())
+            {
+                eddies[k] = body.fluid().eddy();
+            }
+        }
+        take(share.gather(own), share.gather(eddies), bodies);
+    }
+
+    // On all ranks from the final velocities, with the same rounding
+    forAll(bodies, i)
+    {
+        immersedBody& body = bodies[i];
+
+        if (!body.resolved() && kernels_.inside(i))
+        {
+            body.fluid().set(body.fluid().load(), body.ddtMomentum(ddt));
+        }
+    }
+}
+
+
+void Foam::unresolvedCoupling::take
+(
+    const UList<correction>& corrections,
+    const UList<turbulentEddy>& eddies,
     PtrList<immersedBody>& bodies
 ) const
 {
     const grainShare& share = kernels_.share();
 
-    if (!share.active())
+    forAll(share.given(), k)
     {
-        return;
-    }
+        const label bodyi = share.given()[k];
 
-    List<correction> all(bodies.size());
-
-    forAll(all, i)
-    {
-        if (share.mine(i))
+        if (share.mine(bodyi))
         {
-            const bodyState& state = bodies[i].state();
-            const fluidAction& fluid = bodies[i].fluid();
-
-            all[i] = correction
-            {
-                state.U, state.omega,
-                fluid.load(), fluid.ddtMomentum(), fluid.eddy()
-            };
+            continue;
         }
-    }
 
-    share.give(all);
+        immersedBody& body = bodies[bodyi];
+        bodyState state(body.state());
 
-    forAll(all, i)
-    {
-        if (!share.mine(i) && !bodies[i].resolved() && kernels_.inside(i))
+        state.U = corrections[k].U;
+        state.omega = corrections[k].omega;
+        body.setState(state);
+        body.fluid().setLoad(corrections[k].load);
+        if (disperses())
         {
-            bodyState state(bodies[i].state());
-
-            state.U = all[i].U;
-            state.omega = all[i].omega;
-            bodies[i].setState(state);
-            bodies[i].fluid().set(all[i].load, all[i].ddtMomentum);
-            bodies[i].fluid().setEddy(all[i].eddy);
+            body.fluid().setEddy(eddies[k]);
         }
     }
 }
@@ -112,13 +139,14 @@ void Foam::unresolvedCoupling::giveCorrections
 Foam::tmp<Foam::vectorField> Foam::unresolvedCoupling::loads
 (
     const PtrList<immersedBody>& bodies
-)
+) const
 {
-    tmp<vectorField> tloads(new vectorField(bodies.size()));
+    const labelList& ordered = kernels_.ordered();
+    tmp<vectorField> tloads(new vectorField(ordered.size()));
 
-    forAll(bodies, i)
+    forAll(ordered, k)
     {
-        tloads.ref()[i] = bodies[i].fluid().load().linear;
+        tloads.ref()[k] = bodies[ordered[k]].fluid().load().linear;
     }
 
     return tloads;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "rankBounds.H"
+#include "compat.H"
+#include "fvMesh.H"
+
+Foam::rankBounds::rankBounds(const fvMesh& mesh)
+:
+    bounds_(Pstream::nProcs())
+{
+    bounds_[Pstream::myProcNo()] = boundBox(mesh.cellCentres(), false);
+    compat::allGather(bounds_);
+}
+
+
+Foam::labelList Foam::rankBounds::others
+(
+    const point& x,
+    const scalar radius,
+    const periodicity& periods
+) const
+{
+    DynamicList<label> ranks;
+
+    if (bounds_.size() == 1)
+    {
+        return ranks;
+    }
+
+    const List<periodicity::image> images(periods.globalImages(x, radius));
+
+    forAll(bounds_, rank)
+    {
+        bool reached = false;
+
+        for (const periodicity::image& im : images)
+        {
+            reached =
+                reached || bounds_[rank].overlaps(x + im.shift, sqr(radius));
+        }
+        if (reached && rank != Pstream::myProcNo())
+        {
+            ranks.append(rank);
+        }
+    }
+
+    return ranks;
+}
