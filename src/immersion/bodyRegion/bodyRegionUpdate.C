@@ -2,6 +2,25 @@
 
 #include "bodyRegion.H"
 
+namespace
+{
+
+//- Give a list a size; values are lost. A list that grows has up to twice the
+//  room that it needs: too much for many regions.
+template<class T>
+void setSizeOf(Foam::DynamicList<T>& list, const Foam::label n)
+{
+    list.clear();
+    if (list.capacity() < n)
+    {
+        list.setCapacity(n + n/16);
+    }
+    list.setSize(n);
+}
+
+} // End anonymous namespace
+
+
 template<class SizeAlong>
 void Foam::bodyRegion::select
 (
@@ -23,23 +42,32 @@ void Foam::bodyRegion::select
     scalarField allD(labels.size());
     body.posed().distance(allX, allD);
 
-    inBand.clear();
-    x.clear();
-    d.clear();
-    h.clear();
+    label nMost = 0;
+
+    forAll(labels, i)
+    {
+        nMost += allD[i] < bandWidth*sizes[i];
+    }
+    setSizeOf(inBand, nMost);
+    setSizeOf(x, nMost);
+    setSizeOf(d, nMost);
+    setSizeOf(n, nMost);
+    setSizeOf(h, nMost);
+
+    label last = 0;
 
     forAll(labels, i)
     {
         if (allD[i] < bandWidth*sizes[i])
         {
-            inBand.append(labels[i]);
-            x.append(allX[i]);
-            d.append(allD[i]);
-            h.append(sizes[i]);
+            inBand[last] = labels[i];
+            x[last] = allX[i];
+            d[last] = allD[i];
+            h[last] = sizes[i];
+            ++last;
         }
     }
 
-    n.setSize(inBand.size());
     body.posed().normal(x, n);
 
     // Where the cells are thin along the normal the band is narrower
@@ -137,7 +165,7 @@ Foam::bodyRegion::change Foam::bodyRegion::update
         bandWidth, faces, faceX, faceDistance, faceNormal, faceH
     );
 
-    c4.setSize(cells.size());
+    setSizeOf(c4, cells.size());
 
     // In the far part of the layer, and deep inside, its few per cent of the
     // resistance are of no effect
@@ -152,11 +180,11 @@ Foam::bodyRegion::change Foam::bodyRegion::update
           : mean;
     }
 
-    resistance.setSize(cells.size());
-    shield.setSize(cells.size());
-    share.setSize(cells.size());
-    faceShield.setSize(faces.size());
-    faceShare.setSize(faces.size());
+    setSizeOf(resistance, cells.size());
+    setSizeOf(shield, cells.size());
+    setSizeOf(share, cells.size());
+    setSizeOf(faceShield, faces.size());
+    setSizeOf(faceShare, faces.size());
 
     return change::anew;
 }
