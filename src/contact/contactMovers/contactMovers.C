@@ -141,8 +141,7 @@ bool Foam::contactMovers::search
     clear();
     movers_.clear();
     pairs_.clear();
-    send_.clear();
-    receive_.clear();
+    exchange_.clear();
     numbers_.setSize(bodies.size());
     numbers_ = -1;
 
