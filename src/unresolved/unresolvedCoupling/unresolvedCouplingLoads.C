@@ -87,7 +87,12 @@ void Foam::unresolvedCoupling::giveCorrections
                 eddies[k] = body.fluid().eddy();
             }
         }
-        take(share.gather(own), share.gather(eddies), bodies);
+        take
+        (
+            share.gather(own),
+            disperses() ? share.gather(eddies) : eddies,
+            bodies
+        );
     }
 
     // On all ranks from the final velocities, with the same rounding
