@@ -3,7 +3,9 @@
 
 On its own, any crowd, with etc/bashrc sourced:
 
-    benchmark.py --spheres 500 --box 96 --cells 8 --steps 20
+    benchmark.py --spheres 500 --box 96 --cells 8 --steps 20 --ratio 2
+
+Spheres lighter than the fluid, --ratio below 1, rise.
 """
 
 import argparse
@@ -37,12 +39,13 @@ STEPS = 20
 
 
 def crowd(
-    folder, name, centres, box, cells, steps, fixed=False, coupling=""
+    folder, name, centres, box, cells, steps, fixed=False, coupling="",
+    ratio=RATIO,
 ):
     """A case of spheres in a cube of box cells a side."""
     case = settling_box(
-        folder, name, box, box/cells, centres, 1/GALILEI, 1/(RATIO - 1),
-        RATIO, f"contact {{ type inelastic; }} {coupling}",
+        folder, name, box, box/cells, centres, 1/GALILEI, 1/(ratio - 1),
+        ratio, f"contact {{ type inelastic; }} {coupling}",
         LOCKED if fixed else "",
     )
     dt = COURANT/(0.5*cells)
@@ -72,23 +75,27 @@ def fixed_step(folder, box, cells):
     return np.median(step_times(case)[2:])
 
 
-def solve(folder, number, box, cells, steps, coupling=""):
+def solve(folder, number, box, cells, steps, coupling="", ratio=RATIO):
     """The run, and the velocities at the end."""
     centres = random_centres(number, box/cells, GAP, 1)
     case = crowd(
         folder, f"crowd_{number}_{box}", centres, box, cells, steps,
-        coupling=coupling,
+        coupling=coupling, ratio=ratio,
     )
     fraction = number*math.pi/6*(cells/box)**3
     name = f"{number} spheres, {box}^3, fraction {fraction:.3f}"
+    if ratio != RATIO:
+        name += f", ratio {ratio:g}"
     run = Run(case, name, cells, box**3)
     return run, step_times(case), speeds(case, number)
 
 
-def figures(folder, number, box, cells, steps=STEPS):
+def figures(folder, number, box, cells, steps=STEPS, ratio=RATIO):
     """Rows of one crowd."""
     one = fixed_step(folder, box, cells)
-    run, times, velocity = solve(folder, number, box, cells, steps)
+    run, times, velocity = solve(
+        folder, number, box, cells, steps, ratio=ratio
+    )
     late = slice(steps//2, None)
     step = np.median(times[late])
     yield run.row("s per step, second half", step)
@@ -133,11 +140,17 @@ def main():
         "--cells", type=int, default=8, help="per diameter"
     )
     parser.add_argument("--steps", type=int, default=STEPS)
+    parser.add_argument(
+        "--ratio", type=float, default=RATIO, help="of densities; not 1"
+    )
     args = parser.parse_args()
+    if args.ratio <= 0 or args.ratio == 1:
+        parser.error(f"--ratio {args.ratio:g}: above 0, and not 1")
     with tempfile.TemporaryDirectory() as scratch:
         report = Report("crowd", Path(scratch))
         for row in figures(
-            Path(scratch), args.spheres, args.box, args.cells, args.steps
+            Path(scratch), args.spheres, args.box, args.cells, args.steps,
+            args.ratio,
         ):
             report.add(row)
 
