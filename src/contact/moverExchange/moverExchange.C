@@ -11,8 +11,9 @@ namespace
 const Foam::label perMover = 7;
 
 
-//- The movers of bodies listed by rank, each once and in the order of the bodies,
-//  which is the same on both sides; start: the first of each rank, and the end
+//- The movers of bodies listed by rank, each once and in the order of the
+//  bodies, which is the same on both sides; start: the first of each rank, and
+//  the end
 Foam::labelList ordered
 (
     Foam::List<Foam::DynamicList<Foam::label>>& bodies,
