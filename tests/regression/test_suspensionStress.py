@@ -162,12 +162,14 @@ def test_two_that_are_pressed_onto_each_other(tmp_path):
     assert row["leastGap"] == pytest.approx(x[1] - x[0] - 0.5, abs=1e-9)
 
 
-@pytest.mark.parametrize("half", [0.24985, 0.2498])
-def test_fluid_that_is_squeezed_lets_go(half, tmp_path):
-    """Ten times as deep at the start: they move apart, by layers of fluid."""
+@pytest.mark.parametrize("half, ranks", [
+    (0.24985, 1), (0.24985, 2), (0.24985, 4), (0.2498, 1)
+])
+def test_fluid_that_is_squeezed_lets_go(half, ranks, tmp_path):
+    """Over ten times as deep at the start: they move apart, the fluid goes."""
     force = 0.01
     case = pressed_pair(tmp_path, half, force)
-    run(case, 0.5, 0.02)
+    run(case, 0.5, 0.02, ranks, {4: (2, 2, 1)}.get(ranks))
     pressed = case.table("forces", 1)["contactForce_x"][-1]
     assert pressed == pytest.approx(force, rel=0.02)
 

@@ -3,7 +3,6 @@
 #include "contactMovers.H"
 #include "exchange.H"
 
-
 void Foam::contactMovers::share
 (
     const PtrList<immersedBody>& bodies,

@@ -189,7 +189,7 @@ void Foam::softTouches::kick
     // Half of it with the forces at its start, all with those in the middle
     sumForces(false);
     halfKick(h);
-    motion.exchange(isTouched_);
+    movers_.exchangeVelocities(isTouched_, motion.step());
     sumForces(true);
     sumLosses(h, energy);
     sumImpulses(h);
@@ -206,7 +206,7 @@ void Foam::softTouches::kick
         m.dOmega += dOmega;
         m.impulse = m.impulse + h*F;
     }
-    motion.exchange(isTouched_);
+    movers_.exchangeVelocities(isTouched_, motion.step());
     motion.goOn();
 }
 

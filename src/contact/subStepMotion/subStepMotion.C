@@ -155,12 +155,6 @@ void Foam::subStepMotion::setVelocities
 }
 
 
-void Foam::subStepMotion::exchange(const UList<bool>& touched)
-{
-    movers_.exchangeVelocities(touched, step_);
-}
-
-
 void Foam::subStepMotion::goOn()
 {
     for (const label moveri : kicked_)

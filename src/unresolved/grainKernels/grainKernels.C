@@ -155,7 +155,7 @@ void Foam::grainKernels::update
         return;
     }
 
-    share_.divide(find(h), nUnresolved_);
+    share_.divide(findCentres(h), nUnresolved_);
     keepNear();
     normalise();
 }

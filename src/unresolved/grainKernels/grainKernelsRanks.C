@@ -2,7 +2,7 @@
 
 #include "grainKernels.H"
 
-Foam::labelList Foam::grainKernels::find(scalarList& h)
+Foam::labelList Foam::grainKernels::findCentres(scalarList& h)
 {
     DynamicList<found> mine(ordered_.size());
 
