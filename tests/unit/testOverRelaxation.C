@@ -18,7 +18,8 @@ label sweeps
 (
     const fvVectorMatrix& eqn,
     volVectorField& U,
-    const std::string& entries
+    const std::string& entries,
+    const vectorField& trend = vectorField()
 )
 {
     const dictionary controls
@@ -30,28 +31,31 @@ label sweeps
         )
     );
 
-    return cmptMax
+    autoPtr<vectorSmoothSolver> solver
     (
-        vectorSmoothSolver::New(eqn, U, controls)->solve(controls)
-       .nIterations()
+        vectorSmoothSolver::New(eqn, U, controls)
     );
+
+    if (trend.size())
+    {
+        solver->follow(tmp<vectorField>(new vectorField(trend)));
+    }
+
+    return cmptMax(solver->solve(controls).nIterations());
 }
 
-} // End anonymous namespace
-
-
-TEST_CASE("Over-relaxation leads to the same solution", "[fusedKernels]")
+//- Equation of a viscous flow (nu 2), of one in which convection dominates
+//  (0.003), and of one without a time derivative (20); a stiff body fills a few
+//  cells
+tmp<fvVectorMatrix> equation(randomFlow& flow, const scalar nu)
 {
-    // Of a viscous flow, of one in which convection dominates, and of one
-    // without a time derivative
-    const scalar nu = GENERATE(2., 0.003, 20.);
     const scalar rDeltaT = nu > 10 ? 0 : nu < 1 ? 30 : 3;
-    randomFlow flow("orthogonal");
-    fvVectorMatrix eqn
+    tmp<fvVectorMatrix> teqn
     (
         fvm::div(flow.phi, flow.U)
       - fvm::laplacian(dimensionedScalar("nu", dimViscosity, nu), flow.U)
     );
+    fvVectorMatrix& eqn = teqn.ref();
 
     // Each row has a dominant diagonal, as with small time steps
     scalarField least(eqn.diag().size(), Zero);
@@ -59,12 +63,24 @@ TEST_CASE("Over-relaxation leads to the same solution", "[fusedKernels]")
     eqn.diag() = max(eqn.diag(), least) + rDeltaT*flow.mesh->V().field();
     eqn.source() = flow.gradP.primitiveField();
 
-    // A stiff body fills a few cells
     for (label celli = 30; celli < 40; ++celli)
     {
         eqn.diag()[celli] *= 1e4;
         eqn.source()[celli] *= 1e4;
     }
+
+    return teqn;
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("Over-relaxation leads to the same solution", "[fusedKernels]")
+{
+    const scalar nu = GENERATE(2., 0.003, 20.);
+    randomFlow flow("orthogonal");
+    const tmp<fvVectorMatrix> teqn(equation(flow, nu));
+    const fvVectorMatrix& eqn = teqn();
 
     const volVectorField start("start", flow.U);
     const label symmetric = sweeps(eqn, flow.U, "tolerance 1e-13; relTol 0;");
@@ -85,4 +101,44 @@ TEST_CASE("Over-relaxation leads to the same solution", "[fusedKernels]")
 
     // A sweep is half of a symmetric one
     CHECK(over < (nu > 1 ? 1.4 : 3)*symmetric);
+}
+
+
+TEST_CASE("A trend is followed if it leads to the solution", "[fusedKernels]")
+{
+    const std::string entries
+    (
+        std::string("tolerance 1e-12; relTol 1e-6; overRelaxation ")
+      + GENERATE("yes", "no") + ';'
+    );
+    randomFlow flow("orthogonal");
+    const tmp<fvVectorMatrix> teqn(equation(flow, 20));
+    const volVectorField start("start", flow.U);
+
+    const label nPlain = sweeps(teqn(), flow.U, entries);
+    const vectorField plain(flow.U.primitiveField());
+
+    sweeps(teqn(), flow.U, "tolerance 1e-13; relTol 0;");
+    const vectorField way(flow.U.primitiveField() - start.primitiveField());
+
+    flow.U = start;
+    CHECK(sweeps(teqn(), flow.U, entries, way) == 0);
+    CHECK
+    (
+        gMax(mag(flow.U.primitiveField() - start.primitiveField() - way)())
+      < 1e-12*gMax(mag(way)())
+    );
+
+    // The error that is left is the same, not the part of that at the start
+    flow.U = start;
+    const label nMost = sweeps(teqn(), flow.U, entries, 0.999*way);
+    CHECK(nMost > 0);
+    CHECK(nMost < nPlain);
+
+    flow.U = start;
+    CHECK(sweeps(teqn(), flow.U, entries, -0.5*way) == nPlain);
+    CHECK
+    (
+        gMax(mag(flow.U.primitiveField() - plain)()) < 1e-12*gMax(mag(way)())
+    );
 }

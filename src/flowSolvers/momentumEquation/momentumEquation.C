@@ -116,9 +116,28 @@ void Foam::momentumEquation::removeBodies()
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::momentumEquation::trend() const
+{
+    const Time& time = U_.time();
+    const scalar ratio = time.deltaTValue()/time.deltaT0Value();
+    const volVectorField& U0 = U_.oldTime();
+    const volVectorField& U00 = U0.oldTime();
+    tmp<vectorField> ttrend(new vectorField(U0.size()));
+    vectorField& trend = ttrend.ref();
+
+    forAll(trend, celli)
+    {
+        trend[celli] = ratio*(U0[celli] - U00[celli]);
+    }
+
+    return ttrend;
+}
+
+
 Foam::SolverPerformance<Foam::vector> Foam::momentumEquation::callSolver
 (
-    const dictionary& controls
+    const dictionary& controls,
+    const bool first
 )
 {
     if (!vectorSmoothSolver::serves(controls))
@@ -135,6 +154,12 @@ Foam::SolverPerformance<Foam::vector> Foam::momentumEquation::callSolver
 
     solver->weigh(bodies_.region().cells(), bands_.weights(A_()));
 
+    // The first step of a run has one previous level only
+    if (first && U_.nOldTimes() > 1 && U_.time().timeIndex() > 1)
+    {
+        solver->follow(trend());
+    }
+
     return solver->solve(controls);
 }
 
@@ -144,7 +169,7 @@ void Foam::momentumEquation::solveLinear(const bool first)
     const dictionary& solver = U_.mesh().solver(U_.select(true));
     const SolverPerformance<vector> performance
     (
-        callSolver(first ? solver : target_.controls(solver))
+        callSolver(first ? solver : target_.controls(solver), first)
     );
 
     diverged_ = !(cmptMax(performance.finalResidual()) < lost);

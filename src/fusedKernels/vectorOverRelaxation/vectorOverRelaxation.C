@@ -26,14 +26,14 @@ namespace
         return Foam::cmptMultiply(v, d);
     }
 
-    inline Foam::vector divided(const Foam::vector& v, const Foam::scalar d)
+    inline Foam::scalar largest(const Foam::scalar d)
     {
-        return v/d;
+        return d;
     }
 
-    inline Foam::vector divided(const Foam::vector& v, const Foam::vector& d)
+    inline Foam::scalar largest(const Foam::vector& d)
     {
-        return Foam::cmptDivide(v, d);
+        return Foam::cmptMax(d);
     }
 }
 
@@ -47,40 +47,50 @@ Foam::vectorOverRelaxation::vectorOverRelaxation
     vectorSmoothSolver("overRelaxation", matrix, psi),
     omega_(matrix.diag().size(), Zero)
 {
-    setFactors();
+    if (rDiags_.empty())
+    {
+        setFactors(rDiag_);
+    }
+    else
+    {
+        setFactors(rDiags_);
+    }
 }
 
 
-Foam::scalar Foam::vectorOverRelaxation::rDiagonal(const label celli) const
+template<class Diagonal>
+void Foam::vectorOverRelaxation::setFactors(const Field<Diagonal>& rDiag)
 {
-    return rDiags_.empty() ? rDiag_[celli] : cmptMax(rDiags_[celli]);
-}
-
-
-void Foam::vectorOverRelaxation::setFactors()
-{
-    const labelUList& l = matrix_.lduAddr().lowerAddr();
     const labelUList& u = matrix_.lduAddr().upperAddr();
+    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
     const scalarField& lower = matrix_.lower();
     const scalarField& upper = matrix_.upper();
+    scalarField root(rDiag.size());
     scalarField& mu = omega_;
 
-    forAll(u, facei)
+    forAll(root, celli)
     {
-        const scalar part = Foam::sqrt
-        (
-            max(lower[facei]*upper[facei], scalar(0))
-           *rDiagonal(l[facei])*rDiagonal(u[facei])
-        );
-
-        mu[l[facei]] += part;
-        mu[u[facei]] += part;
+        root[celli] = Foam::sqrt(largest(rDiag[celli]));
     }
 
-    // Above 1 without a dominant diagonal
-    for (scalar& factor : omega_)
+    // Those of its lower neighbours have been added when the turn of a row comes
+    forAll(mu, celli)
     {
-        factor = 2/(1 + Foam::sqrt(max(1 - sqr(factor), scalar(0.01))));
+        scalar sum = 0;
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            const scalar part = root[celli]*root[u[facei]]
+               *Foam::sqrt(max(lower[facei]*upper[facei], scalar(0)));
+
+            sum += part;
+            mu[u[facei]] += part;
+        }
+
+        // Above 1 without a dominant diagonal
+        const scalar rest = max(1 - sqr(mu[celli] + sum), scalar(0.01));
+
+        omega_[celli] = 2/(1 + Foam::sqrt(rest));
     }
 }
 
@@ -89,7 +99,10 @@ Foam::vector Foam::vectorOverRelaxation::begin()
 {
     const vector norm(vectorSmoothSolver::begin());
 
-    work_ = source_ - work_;
+    forAll(work_, celli)
+    {
+        work_[celli] = source_[celli] - work_[celli];
+    }
     before_ = coupledProducts();
 
     return norm;
@@ -97,7 +110,11 @@ Foam::vector Foam::vectorOverRelaxation::begin()
 
 
 template<class Diagonal>
-void Foam::vectorOverRelaxation::sweep(const Field<Diagonal>& rDiag)
+void Foam::vectorOverRelaxation::sweep
+(
+    const Field<Diagonal>& diag,
+    const Field<Diagonal>& rDiag
+)
 {
     const label* const __restrict__ u =
         matrix_.lduAddr().upperAddr().begin();
@@ -106,6 +123,7 @@ void Foam::vectorOverRelaxation::sweep(const Field<Diagonal>& rDiag)
     const scalar* const __restrict__ lower = matrix_.lower().begin();
     const scalar* const __restrict__ upper = matrix_.upper().begin();
     const scalar* const __restrict__ omega = omega_.begin();
+    const Diagonal* const __restrict__ D = diag.begin();
     const Diagonal* const __restrict__ rD = rDiag.begin();
     vector* const __restrict__ b = work_.begin();
     vector* const __restrict__ r = residual_.begin();
@@ -113,21 +131,33 @@ void Foam::vectorOverRelaxation::sweep(const Field<Diagonal>& rDiag)
 
     for (label celli = work_.size() - 1; celli >= 0; --celli)
     {
-        vector sum(Zero);
+        const label first = start[celli];
+        const label last = start[celli + 1] - 1;
+        const scalar w = omega[celli];
+        const vector before(psi[celli]);
+        vector rest(b[celli]);
 
-        for (label facei = start[celli + 1] - 1; facei >= start[celli]; --facei)
+        for (label facei = last; facei > first; --facei)
         {
-            sum += upper[facei]*psi[u[facei]];
+            rest -= upper[facei]*psi[u[facei]];
         }
 
-        const vector full(scaled(b[celli] - sum, rD[celli]) - psi[celli]);
-        const vector change(omega[celli]*full);
+        vector x((1 - w)*before + scaled(w*rest, rD[celli]));
+
+        // The neighbour that was set just before comes last, for the processor
+        // not to wait for it
+        if (first <= last)
+        {
+            x -= scaled((w*upper[first])*psi[u[first]], rD[celli]);
+        }
+
+        const vector change(x - before);
 
         // What is left of it, but for later changes of b
-        r[celli] = divided(full - change, rD[celli]) - b[celli];
-        psi[celli] += change;
+        r[celli] = scaled((1/w - 1)*change, D[celli]) - b[celli];
+        psi[celli] = x;
 
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        for (label facei = first; facei <= last; ++facei)
         {
             b[u[facei]] -= lower[facei]*change;
         }
@@ -139,7 +169,13 @@ void Foam::vectorOverRelaxation::sweep(const Field<Diagonal>& rDiag)
     addCoupled(-1, before_, work_);
     addCoupled(1, now, work_);
     before_.transfer(now);
-    residual_ += work_;
+
+    sumMag_ = Zero;
+
+    forAll(residual_, celli)
+    {
+        sumMag_ += weight(celli)*cmptMag(residual_[celli] + work_[celli]);
+    }
 }
 
 
@@ -147,10 +183,10 @@ void Foam::vectorOverRelaxation::sweep()
 {
     if (rDiags_.empty())
     {
-        sweep(rDiag_);
+        sweep(diag_, rDiag_);
     }
     else
     {
-        sweep(rDiags_);
+        sweep(diags_, rDiags_);
     }
 }

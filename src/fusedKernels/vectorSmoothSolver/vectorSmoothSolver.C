@@ -24,6 +24,7 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     source_(matrix.source()),
     work_(matrix.diag().size()),
     residual_(matrix.diag().size()),
+    sumMag_(Zero),
     performance_(name, psi.name())
 {
     forAll(psi.boundaryField(), patchi)
@@ -134,16 +135,11 @@ void Foam::vectorSmoothSolver::addCoupled
 }
 
 
-Foam::vector Foam::vectorSmoothSolver::sumMag() const
+Foam::vector Foam::vectorSmoothSolver::scaledResidual(const vector& norm) const
 {
-    vector sum(Zero);
+    const vector sum(returnReduce(sumMag_, sumOp<vector>()));
 
-    forAll(residual_, celli)
-    {
-        sum += weight(celli)*cmptMag(residual_[celli]);
-    }
-
-    return cmptMultiply(returnReduce(sum, sumOp<vector>()), solved_);
+    return cmptDivide(cmptMultiply(sum, solved_), norm);
 }
 
 
@@ -204,6 +200,40 @@ void Foam::vectorSmoothSolver::weigh
 }
 
 
+void Foam::vectorSmoothSolver::follow(const tmp<vectorField>& trend)
+{
+    trend_ = trend;
+}
+
+
+void Foam::vectorSmoothSolver::followTrend(const vector& norm)
+{
+    vectorField& values = psi_.primitiveFieldRef();
+
+    forAll(values, celli)
+    {
+        values[celli] += cmptMultiply(solved_, trend_()[celli]);
+    }
+    updateCoupled();
+    begin();
+
+    const vector residual(scaledResidual(norm));
+
+    if (cmptSum(residual) < cmptSum(performance_.initialResidual()))
+    {
+        performance_.finalResidual() = residual;
+        return;
+    }
+
+    forAll(values, celli)
+    {
+        values[celli] -= cmptMultiply(solved_, trend_()[celli]);
+    }
+    updateCoupled();
+    begin();
+}
+
+
 Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
 (
     const dictionary& controls
@@ -222,31 +252,27 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
     const vector norm(begin());
     label n = 0;
 
-    while (true)
+    performance_.initialResidual() = scaledResidual(norm);
+    performance_.finalResidual() = performance_.initialResidual();
+
+    if (trend_.valid())
     {
-        performance_.finalResidual() = cmptDivide(sumMag(), norm);
+        followTrend(norm);
+    }
 
-        if (n == 0)
-        {
-            performance_.initialResidual() = performance_.finalResidual();
-        }
-
-        if (n >= minIter && (n >= maxIter || converged(tolerance, relTol)))
-        {
-            break;
-        }
-
-        // Further on numbers would overflow
-        if (!(cmptMax(performance_.finalResidual()) < diverged))
-        {
-            break;
-        }
-
+    // Beyond `diverged` numbers would overflow
+    while
+    (
+        (n < minIter || (n < maxIter && !converged(tolerance, relTol)))
+     && cmptMax(performance_.finalResidual()) < diverged
+    )
+    {
         for (label i = 0; i < nSweeps; ++i)
         {
             sweep();
         }
         n += nSweeps;
+        performance_.finalResidual() = scaledResidual(norm);
     }
 
     performance_.nIterations() = Vector<label>::uniform(n);

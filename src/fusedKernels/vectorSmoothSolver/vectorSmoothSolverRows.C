@@ -46,29 +46,36 @@ namespace
 
 
 template<class Diagonal>
-void Foam::vectorSmoothSolver::setDiagonal(Field<Diagonal>& rDiag) const
+void Foam::vectorSmoothSolver::setDiagonal
+(
+    Field<Diagonal>& diag,
+    Field<Diagonal>& rDiag
+) const
 {
-    const scalarField& diag = matrix_.diag();
+    const scalarField& internal = matrix_.diag();
 
-    rDiag.resize(diag.size());
+    diag.resize(internal.size());
+    rDiag.resize(internal.size());
 
-    forAll(rDiag, celli)
+    forAll(diag, celli)
     {
-        rDiag[celli] = pTraits<Diagonal>::one/diag[celli];
+        diag[celli] = pTraits<Diagonal>::one*internal[celli];
     }
 
     forAll(psi_.boundaryField(), patchi)
     {
         const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
-        const vectorField& internal = matrix_.internalCoeffs()[patchi];
+        const vectorField& onPatch = matrix_.internalCoeffs()[patchi];
 
-        forAll(internal, i)
+        forAll(onPatch, i)
         {
-            Diagonal d(reciprocal(rDiag[cells[i]]));
-
-            increase(d, internal[i]);
-            rDiag[cells[i]] = reciprocal(d);
+            increase(diag[cells[i]], onPatch[i]);
         }
+    }
+
+    forAll(diag, celli)
+    {
+        rDiag[celli] = reciprocal(diag[celli]);
     }
 }
 
@@ -87,17 +94,17 @@ void Foam::vectorSmoothSolver::setDiagonal()
 
     if (same)
     {
-        setDiagonal(rDiag_);
+        setDiagonal(diag_, rDiag_);
     }
     else
     {
-        setDiagonal(rDiags_);
+        setDiagonal(diags_, rDiags_);
     }
 }
 
 
 template<class Diagonal>
-Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& rDiag)
+Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& diag)
 {
     const labelUList& u = matrix_.lduAddr().upperAddr();
     const labelUList& start = matrix_.lduAddr().ownerStartAddr();
@@ -105,57 +112,52 @@ Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& rDiag)
     const scalarField& upper = matrix_.upper();
     const vectorField& psi = psi_.primitiveField();
     const vector mean(gAverage(psi));
-    vectorField& sumA = residual_;
+    scalarField sumA(work_.size(), Zero);
 
     work_ = Zero;
-    sumA = Zero;
     addCoupled(-1, coupledProducts(), work_);
 
     forAll(psi_.boundaryField(), patchi)
     {
         if (psi_.boundaryField()[patchi].coupled())
         {
+            const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
             const vectorField& coeffs = matrix_.boundaryCoeffs()[patchi];
 
-            UIndirectList<vector> rows
-            (
-                sumA,
-                matrix_.lduAddr().patchAddr(patchi)
-            );
-
+            // The same for all components where patches are coupled
             forAll(coeffs, i)
             {
-                rows[i] -= coeffs[i];
+                sumA[cells[i]] -= coeffs[i].x();
             }
         }
     }
 
     vector sum(Zero);
+    sumMag_ = Zero;
 
     // Faces are in the order of their owners: when its turn comes a row has got
     // all that its lower neighbours add to it
     forAll(sumA, celli)
     {
-        const Diagonal diag(reciprocal(rDiag[celli]));
         const vector& x = psi[celli];
-        vector Ax(work_[celli] + scaled(x, diag));
-        vector rowSum(sumA[celli] + scaled(vector::one, diag));
+        vector Ax(work_[celli] + scaled(x, diag[celli]));
+        scalar rowSum = sumA[celli];
 
         for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
         {
             const label n = u[facei];
 
             Ax += upper[facei]*psi[n];
-            rowSum += vector::uniform(upper[facei]);
+            rowSum += upper[facei];
             work_[n] += lower[facei]*x;
-            sumA[n] += vector::uniform(lower[facei]);
+            sumA[n] += lower[facei];
         }
 
-        const vector reference(cmptMultiply(rowSum, mean));
+        const vector reference(rowSum*mean + scaled(mean, diag[celli]));
 
         addMag(sum, weight(celli)*(Ax - reference));
         addMag(sum, weight(celli)*(source_[celli] - reference));
-        residual_[celli] = source_[celli] - Ax;
+        addMag(sumMag_, weight(celli)*(source_[celli] - Ax));
     }
 
     return returnReduce(sum, sumOp<vector>())
@@ -165,7 +167,7 @@ Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& rDiag)
 
 Foam::vector Foam::vectorSmoothSolver::begin()
 {
-    return rDiags_.empty() ? begin(rDiag_) : begin(rDiags_);
+    return diags_.empty() ? begin(diag_) : begin(diags_);
 }
 
 
@@ -233,6 +235,13 @@ void Foam::vectorSmoothSolver::sweep(const Field<Diagonal>& rDiag)
     updateCoupled();
     addCoupled(-1, before, residual_);
     addCoupled(1, coupledProducts(), residual_);
+
+    sumMag_ = Zero;
+
+    forAll(residual_, celli)
+    {
+        addMag(sumMag_, weight(celli)*residual_[celli]);
+    }
 }
 
 
