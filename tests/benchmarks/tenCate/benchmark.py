@@ -19,13 +19,16 @@ CASES = {
     "E4": (960, 1120, 0.058, 0.955*0.128, 1.1),
 }
 
-# Case, D/h, whole or a quarter of the box
+COURANT = 0.5
+
+# Case, D/h, whole or a quarter of the box, Courant number if another
 QUICK = (("E4", 8, False),)
 FULL = (
     *((name, 8, False) for name in CASES), ("E4", 8, True),
     *((name, 10, False) for name in CASES), ("E4", 16, False),
+    ("E4", 10, True), ("E4", 10, True, 0.6), ("E4", 10, True, 1),
+    ("E1", 10, False, 0.75),
 )
-COURANT = 0.5
 DIAMETER, GAP, WIDTH, HEIGHT = 0.015, 0.120, 0.100, 0.160
 GRAVITY = 9.81
 
@@ -52,11 +55,14 @@ def mesh(case, cells, whole):
     return n
 
 
-def solve(folder, name, cells, whole):
-    """Times, gaps over the diameter, velocities [m/s] and the run."""
+def solve(folder, name, cells, whole, courant=COURANT):
+    """Times, gaps over the diameter, velocities [m/s] and the run. courant: of
+    the largest velocity measured."""
     rho, rho_s, mu, fastest, end = CASES[name]
     part = "whole" if whole else "quarter"
-    case = BodyCase("box", folder, f"{name}_D{cells}_{part}")
+    if courant != COURANT:
+        part += f" Co {courant}"
+    case = BodyCase("box", folder, f"{name}_D{cells}_{part.replace(' ', '')}")
     n = mesh(case, cells, whole)
     set_box(case)
     set_over_relaxed(case)
@@ -72,7 +78,7 @@ def solve(folder, name, cells, whole):
             position    (0 0 {0.5*DIAMETER + GAP});
         }}
     """)
-    dt = COURANT*DIAMETER/cells/fastest
+    dt = courant*DIAMETER/cells/fastest
     case.controls(endTime=f"{end}", deltaT=f"{dt:.6g}")
     run = Run(case, f"{name} {part}", cells, n, may_fail=True)
     motion = case.table("motion")
@@ -105,8 +111,8 @@ def plot(curves):
 
 def rows(folder, quick):
     curves = {}
-    for name, cells, whole in QUICK if quick else FULL:
-        time, gap, speed, run = solve(folder, name, cells, whole)
+    for name, cells, *others in QUICK if quick else FULL:
+        time, gap, speed, run = solve(folder, name, cells, *others)
         if run.failed:
             yield run.diverged()
             continue
