@@ -120,7 +120,7 @@ TEST_CASE("Weighted residuals are those of scaled rows", "[bandMomentum]")
 
     bodies.beginStep();
     bodies.predict(false);
-    bodies.updateResistance
+    bodies.resolved().updateResistance
     (
         ddtCoefficients("Euler", 0.1, 0.1),
         A0,

@@ -92,7 +92,7 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     CHECK(!bodies.crowd().active());
     bodies.findCrowd(true);
     REQUIRE(bodies.crowd().active());
-    bodies.updateResistance(ddt, A0, nu);
+    bodies.resolved().updateResistance(ddt, A0, nu);
     const given start(*mesh, bodies.region());
 
     // The first one moves, by less and by more than a hundredth of a cell
@@ -107,12 +107,12 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     CHECK(bodies.region().selected(0));
     CHECK(!bodies.region().selected(1));
 
-    bodies.updateResistance(ddt, A0, nu, true);
+    bodies.resolved().updateResistance(ddt, A0, nu, true);
     const given few(*mesh, bodies.region());
 
     bodies.predict(true);
     CHECK(!bodies.region().bands().few());
-    bodies.updateResistance(ddt, A0, nu, true);
+    bodies.resolved().updateResistance(ddt, A0, nu, true);
     const given all(*mesh, bodies.region());
 
     CHECK(gMax(mag(few.K - all.K)()) < 1e-9*gMax(all.K));
@@ -136,7 +136,7 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     velocities[0] *= 3;
     bodies.setVelocities(velocities);
     bodies.predict(true, 0.1*move);
-    bodies.updateResistance(ddt, A0, nu, true);
+    bodies.resolved().updateResistance(ddt, A0, nu, true);
     velocities[22] = vector(move, 0, 0);
     bodies.setVelocities(velocities);
     bodies.predict(true, 0.1*move);
@@ -146,7 +146,7 @@ TEST_CASE("Few bodies give the fluid what all do", "[bandSelection]")
     velocities = Zero;
     bodies.setVelocities(velocities);
     bodies.predict(true);
-    bodies.updateResistance(ddt, A0, nu, true);
+    bodies.resolved().updateResistance(ddt, A0, nu, true);
     const given end(*mesh, bodies.region());
 
     // Nothing is left where they have been

@@ -58,7 +58,7 @@ TEST_CASE("Speeds follow the pressure around bodies", "[pressureAround]")
             " position (1.825 0.475 0.525); motion { type fixed; } } }"
         )
     );
-    pressureAround& pressure = bodies.pressure();
+    pressureAround& pressure = bodies.resolved().pressure();
     const vector before(1, -2, 0.5), after(1.3, -2, 0.9);
     const vectorField gradP(pressure.gradients(linear(*mesh, before), Zero));
 

@@ -148,14 +148,14 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
 
     if (bodies_.crowd().active())
     {
-        return bodies_.correctCrowd(p_, drive, dt);
+        return bodies_.resolved().correctCrowd(p_, drive, dt);
     }
     if (iteration_.first() || !layersPay())
     {
         return 0;
     }
 
-    const scalar change = bodies_.pressure().update(p_, drive, dt);
+    const scalar change = bodies_.resolved().pressure().update(p_, drive, dt);
 
     // The second one is compared with nothing of this time step; from the third
     // one on added mass helps
@@ -174,7 +174,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     {
         ddt, momentum_.matrix(), momentum_.A(), U_, tdrive(), correction_.dU()
     };
-    const scalar ofBodies = bodies_.correct
+    const scalar ofBodies = bodies_.resolved().correct
     (
         solved, free && iteration_.first(), addedMass()
     );

@@ -124,7 +124,7 @@ void Foam::flowSolvers::immersedFluid::keepOldTimes()
 void Foam::flowSolvers::immersedFluid::initialise()
 {
     bodies_.setAmbient(U_);
-    bodies_.setRigidMotion(U_);
+    bodies_.resolved().setRigidMotion(U_);
     phi_ = fvc::flux(U_);
     makeRelative(bodies_.window().velocity());
 

@@ -56,7 +56,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     momentum_.clear();
     if (!momentum_.stokes())
     {
-        bodies_.updateFrame(ddt, momentum_.viscosity());
+        bodies_.resolved().updateFrame(ddt, momentum_.viscosity());
     }
     if (iteration_.first())
     {
@@ -145,9 +145,9 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
     }
 
     // What the trend is not used for moves along with the bodies
-    if (bodies_.frame().active())
+    if (bodies_.resolved().frame().active())
     {
-        correction_.follow(bodies_.frame(), 1 - part, p_);
+        correction_.follow(bodies_.resolved().frame(), 1 - part, p_);
     }
 }
 

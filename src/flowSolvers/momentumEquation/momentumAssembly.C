@@ -122,7 +122,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::make
 
     tmp<fvVectorMatrix> tEqn(ddtU(ddt));
     fvVectorMatrix& eqn = tEqn.ref();
-    comovingDerivative& frame = bodies_.frame();
+    comovingDerivative& frame = bodies_.resolved().frame();
 
     // Time derivative and convection as the bodies see them
     frame.addOldTimes(U_, eqn.source());

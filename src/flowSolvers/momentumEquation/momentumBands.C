@@ -40,7 +40,7 @@ bool Foam::momentumEquation::solveInBands
         );
     }
 
-    bodies_.updateResistance(ddt, A_(), viscosity(), true);
+    bodies_.resolved().updateResistance(ddt, A_(), viscosity(), true);
 
     const dictionary& solver = U_.mesh().solver(U_.select(true));
     const label nSweeps = bands_.relax

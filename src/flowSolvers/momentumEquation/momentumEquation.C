@@ -89,7 +89,7 @@ void Foam::momentumEquation::assemble(const ddtCoefficients& ddt)
     bodies_.unresolved().addLoads(force_);
     A_ = eqn_().A();
     smoothing_ = smoothingPart/A_();
-    bodies_.updateResistance(ddt, A_(), viscosity());
+    bodies_.resolved().updateResistance(ddt, A_(), viscosity());
 }
 
 

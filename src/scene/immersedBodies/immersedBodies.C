@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "ambientVelocities.H"
 #include "bodyContacts.H"
 #include "bodyPassage.H"
 #include "bodyPlacement.H"
 #include "bodyProperties.H"
 #include "bodyResolution.H"
 #include "bodyTraffic.H"
-#include "comovingDerivative.H"
+#include "freeVelocities.H"
 #include "meshProperties.H"
 #include "unresolvedBodies.H"
 
@@ -103,25 +104,29 @@ Foam::immersedBodies::immersedBodies
     crowd_(bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
-    region_
+    resolved_
     (
-        mesh,
-        space_,
-        periodicity_,
-        dict.subOrEmptyDict("resistance"),
-        bodies_,
-        moving_
+        new resolvedBodies
+        (
+            dict_,
+            mesh,
+            space_,
+            periodicity_,
+            window_,
+            crowd_,
+            fluid_.g(),
+            moving_,
+            bodies_,
+            h_
+        )
     ),
-    frame_(new comovingDerivative(mesh, region_.neighbours())),
-    loads_(mesh, dict.subOrEmptyDict("bodies"), bodies_),
-    pressure_(bodies_, region_, loads_, periodicity_),
     unresolved_
     (
         new unresolvedBodies
         (
             dict.subOrEmptyDict("coupling"),
             space_,
-            region_.search(),
+            region().search(),
             periodicity_,
             window_,
             fluid_.g(),
@@ -131,16 +136,19 @@ Foam::immersedBodies::immersedBodies
     ),
     resolution_
     (
-        new bodyResolution(bodies_, region_, unresolved_(), loads_, h_)
+        new bodyResolution
+        (
+            bodies_, resolved_->region(), unresolved_(), loads(), h_
+        )
     ),
     traffic_
     (
         new bodyTraffic
         (
             bodies_,
-            region_,
+            resolved_->region(),
             window_,
-            loads_,
+            loads(),
             resolution_(),
             h_,
             passage_()
@@ -178,12 +186,6 @@ const Foam::bodyContacts& Foam::immersedBodies::contacts() const
 }
 
 
-Foam::comovingDerivative& Foam::immersedBodies::frame()
-{
-    return frame_();
-}
-
-
 Foam::unresolvedBodies& Foam::immersedBodies::unresolved()
 {
     return unresolved_();
@@ -202,4 +204,29 @@ Foam::scalar Foam::immersedBodies::courantNo() const
     }
 
     return Co*mesh_.time().deltaTValue();
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
+{
+    tmp<volScalarField> tfraction(region().interior().fraction());
+
+    unresolved_->coupling().addFraction(tfraction.ref().primitiveFieldRef());
+    tfraction.ref().correctBoundaryConditions();
+
+    return tfraction;
+}
+
+
+void Foam::immersedBodies::setAmbient(const volVectorField& U)
+{
+    ambientVelocities::set(U, region().search(), periodicity_, bodies_);
+    window_.follow(bodies_);
+}
+
+
+void Foam::immersedBodies::setVelocities(const UList<vector>& velocities)
+{
+    freeVelocities::set(velocities, bodies_);
+    window_.follow(bodies_);
 }

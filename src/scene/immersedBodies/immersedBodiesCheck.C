@@ -7,7 +7,7 @@
 
 void Foam::immersedBodies::checkInside() const
 {
-    const cellSearch& search = region_.search();
+    const cellSearch& search = region().search();
     labelList found(bodies_.size(), 0);
 
     forAll(bodies_, bodyi)
@@ -17,7 +17,7 @@ void Foam::immersedBodies::checkInside() const
 
     // Or an image of it. A fixed one may be there in part, such as one that a
     // plane of symmetry cuts
-    for (const bodyRegion& region : region_.regions())
+    for (const bodyRegion& region : region().regions())
     {
         const label bodyi = region.body();
         const immersedBody& body = bodies_[bodyi];
@@ -82,7 +82,7 @@ void Foam::immersedBodies::checkSteady() const
 
 void Foam::immersedBodies::checkGaps()
 {
-    if (contacts_->overlap(bodies_, region_, h_))
+    if (contacts_->overlap(bodies_, region(), h_))
     {
         FatalIOErrorInFunction(dict_.subOrEmptyDict("bodies"))
             << "'bodies' must not overlap each other or a wall"

@@ -62,7 +62,7 @@ void Foam::immersedBodies::report(Ostream& os) const
     }
 
     os  << nl << "    resistance: ";
-    region_.resistance().report(os);
+    region().resistance().report(os);
 
     scalar fewest = GREAT, most = 0;
     label nFree = 0, nFixed = 0;

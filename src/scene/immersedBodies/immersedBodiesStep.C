@@ -111,7 +111,7 @@ void Foam::immersedBodies::undoStep()
     }
     h_ = oldH_;
     window_.undoStep();
-    region_.updateGeometry(bodies_);
+    resolved_->region().updateGeometry(bodies_);
 }
 
 
@@ -143,15 +143,7 @@ void Foam::immersedBodies::predict
     addProfiling(predict, "immersedBodies::predict");
 
     predictPoses();
-    if (enough > 0)
-    {
-        region_.select(crowd_.unsettled(enough));
-    }
-    else
-    {
-        region_.selectAll();
-    }
-    region_.updateGeometry(bodies_, false, again);
+    resolved_->update(enough, again);
     if (!inBands)
     {
         unresolved_->update();
@@ -197,10 +189,10 @@ bool Foam::immersedBodies::endStep()
     }
 
     contacts_->updateSleep(bodies_, mesh_.time().deltaTValue());
-    loads_.noteUnresolved(unresolved_->coupling());
+    resolved_->loads().noteUnresolved(unresolved_->coupling());
 
     // Contact knows the bodies as they are before any leave
-    const bool overlap = contacts_->overlap(bodies_, region_, h_);
+    const bool overlap = contacts_->overlap(bodies_, region(), h_);
     const bool good = traffic_->leave() && !overlap;
 
     // The regions go with the positions so far

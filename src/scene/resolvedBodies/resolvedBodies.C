@@ -1,20 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedBodies.H"
-#include "ambientVelocities.H"
-#include "comovingDerivative.H"
-#include "freeVelocities.H"
+#include "resolvedBodies.H"
 #include "profiling.H"
-#include "unresolvedBodies.H"
 
-void Foam::immersedBodies::setAmbient(const volVectorField& U)
-{
-    ambientVelocities::set(U, region_.search(), periodicity_, bodies_);
-    window_.follow(bodies_);
-}
+Foam::resolvedBodies::resolvedBodies
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const geometricSpace& space,
+    const periodicity& periods,
+    meshWindow& window,
+    bodyCrowd& crowd,
+    const vector& g,
+    const bool moving,
+    bodyList& bodies,
+    const bodyCellSizes& h
+)
+:
+    bodies_(bodies),
+    h_(h),
+    periods_(periods),
+    window_(window),
+    crowd_(crowd),
+    g_(g),
+    region_
+    (
+        mesh,
+        space,
+        periods,
+        dict.subOrEmptyDict("resistance"),
+        bodies,
+        moving
+    ),
+    frame_(mesh, region_.neighbours()),
+    loads_(mesh, dict.subOrEmptyDict("bodies"), bodies),
+    pressure_(bodies, region_, loads_, periods)
+{}
 
 
-void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
+void Foam::resolvedBodies::setRigidMotion(volVectorField& U) const
 {
     const bodyInterior& interior = region_.interior();
 
@@ -28,42 +52,45 @@ void Foam::immersedBodies::setRigidMotion(volVectorField& U) const
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::immersedBodies::bodyFraction() const
+void Foam::resolvedBodies::update(const scalar enough, const bool again)
 {
-    tmp<volScalarField> tfraction(region_.interior().fraction());
-
-    unresolved_->coupling().addFraction(tfraction.ref().primitiveFieldRef());
-    tfraction.ref().correctBoundaryConditions();
-
-    return tfraction;
+    if (enough > 0)
+    {
+        region_.select(crowd_.unsettled(enough));
+    }
+    else
+    {
+        region_.selectAll();
+    }
+    region_.updateGeometry(bodies_, false, again);
 }
 
 
-void Foam::immersedBodies::updateFrame
+void Foam::resolvedBodies::updateFrame
 (
     const ddtCoefficients& ddt,
     const volScalarField& nu
 )
 {
-    addProfiling(frame, "immersedBodies::updateFrame");
+    addProfiling(frame, "resolvedBodies::updateFrame");
 
     const scalarField inBands(nu.primitiveField(), region_.cells());
 
-    frame_->update
+    frame_.update
     (
         region_.regions(),
         bodies_,
         region_.search(),
         h_,
         region_.resistance().bandWidth(),
-        periodicity_,
+        periods_,
         gMin(inBands),
         ddt
     );
 }
 
 
-void Foam::immersedBodies::updateResistance
+void Foam::resolvedBodies::updateResistance
 (
     const ddtCoefficients& ddt,
     const scalarField& A0,
@@ -71,7 +98,7 @@ void Foam::immersedBodies::updateResistance
     const bool again
 )
 {
-    addProfiling(resistance, "immersedBodies::updateResistance");
+    addProfiling(resistance, "resolvedBodies::updateResistance");
 
     region_.updateResistance(bodies_, A0, nu, again);
     region_.updateVelocity(bodies_, ddt);
@@ -86,14 +113,14 @@ void Foam::immersedBodies::updateResistance
 }
 
 
-Foam::scalar Foam::immersedBodies::correct
+Foam::scalar Foam::resolvedBodies::correct
 (
     const solvedMomentum& solved,
     const bool response,
     const scalar addedMass
 )
 {
-    addProfiling(correct, "immersedBodies::correct");
+    addProfiling(correct, "resolvedBodies::correct");
 
     if (bodies_.nResolved())
     {
@@ -114,7 +141,7 @@ Foam::scalar Foam::immersedBodies::correct
 
         // One that is all but outside the mesh has nothing to go by
         const scalar change = !body.isFree() || loads_.inMesh(bodyi)
-          ? body.correctVelocity(loads_[bodyi], solved.ddt, g(), addedMass)
+          ? body.correctVelocity(loads_[bodyi], solved.ddt, g_, addedMass)
           : 0;
 
         crowd_.note(bodyi, change);
@@ -127,7 +154,7 @@ Foam::scalar Foam::immersedBodies::correct
 }
 
 
-Foam::scalar Foam::immersedBodies::correctCrowd
+Foam::scalar Foam::resolvedBodies::correctCrowd
 (
     const scalarField& p,
     const vector& drive,
@@ -154,11 +181,4 @@ Foam::scalar Foam::immersedBodies::correctCrowd
     }
 
     return most;
-}
-
-
-void Foam::immersedBodies::setVelocities(const UList<vector>& velocities)
-{
-    freeVelocities::set(velocities, bodies_);
-    window_.follow(bodies_);
 }
