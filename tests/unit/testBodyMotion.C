@@ -143,7 +143,8 @@ TEST_CASE("A grain that tumbles fast keeps its angular momentum",
         const bodyState& state = body.state();
         bodyState turned(state);
         turned.orientation =
-            quaternion(normalised(vector(1, 0.3*i, -2)), 0.7)*turned.orientation;
+            quaternion(normalised(vector(1, 0.3*i, -2)), 0.7)
+           *turned.orientation;
         body.setContact(turned, Zero, Zero, rigidMomentum{Zero, Zero});
 
         CHECK

@@ -115,8 +115,9 @@ scalar wallOf(const resistanceModel& model)
 }
 
 
-//- Where the velocity about a disc that turns, relative to it r - R'^2/r outside
-//  of the layer, vanishes: R' - R in cell sizes. u r^1/2 is what slope() has.
+//- Where the velocity about a disc that turns, relative to it r - R'^2/r
+//  outside of the layer, vanishes: R' - R in cell sizes. u r^1/2 is what
+//  slope() has.
 scalar discOf(const resistanceModel& model, const scalar h)
 {
     const scalar r = R + 6*h;

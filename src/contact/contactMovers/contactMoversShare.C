@@ -55,7 +55,10 @@ void Foam::contactMovers::exchangeVelocities
 }
 
 
-Foam::contactMovers::outcome Foam::contactMovers::outcomeOf(const contactMover& m)
+Foam::contactMovers::outcome Foam::contactMovers::outcomeOf
+(
+    const contactMover& m
+)
 {
     // A body that tumbles has had its contacts in other orientations
     return outcome

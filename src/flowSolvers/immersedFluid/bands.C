@@ -21,10 +21,10 @@ namespace
 
 bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
 {
-    // The first time step of a run has no flux that is extrapolated, and after a
-    // sudden start that of the second is far off. What is combined from several
-    // iterations is the pressure of all cells. In a window all fluxes change
-    // with its velocity.
+    // The first time step of a run has no flux that is extrapolated, and after
+    // a sudden start that of the second is far off. What is combined from
+    // several iterations is the pressure of all cells. In a window all fluxes
+    // change with its velocity.
     return momentum_.uniformViscosity()
      && !acceleration_.active()
      && !bodies_.window().comoving()

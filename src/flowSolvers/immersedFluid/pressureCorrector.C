@@ -14,10 +14,11 @@
 namespace
 {
     //- Viscous reach, in cells, squared, and Courant number up to which the
-    //  response of the fluid to the pressure is that of layerProjection. In more
-    //  viscous fluid velocities converge before the pressure does, and those
-    //  iterations cost more than they help, but for bodies in contact: the fluid
-    //  that they squeeze bears part of what presses them, until it has gone
+    //  response of the fluid to the pressure is that of layerProjection. In
+    //  more viscous fluid velocities converge before the pressure does, and
+    //  those iterations cost more than they help, but for bodies in contact:
+    //  the fluid that they squeeze bears part of what presses them, until it
+    //  has gone
     const Foam::scalar maxLayerReach = 1.03;
     const Foam::scalar maxLayerCourant = 2;
 

@@ -73,7 +73,7 @@ void Foam::vectorOverRelaxation::setFactors(const Field<Diagonal>& rDiag)
         root[celli] = Foam::sqrt(largest(rDiag[celli]));
     }
 
-    // Those of its lower neighbours have been added when the turn of a row comes
+    // By the turn of a row those of its lower neighbours have been added
     forAll(mu, celli)
     {
         scalar sum = 0;

@@ -39,7 +39,8 @@ void Foam::tubeProfileFvPatchVectorField::findTube()
         FatalIOErrorInFunction(entries_)
             << "'axis " << tube_.axis() << "' of tubeProfile lies in the patch"
             << " '" << patch().name() << "': nothing would flow through it; it"
-            << " has the normal " << -axis/mag(axis) << nl << exit(FatalIOError);
+            << " has the normal " << -axis/mag(axis) << nl
+            << exit(FatalIOError);
     }
 
     const pointField& points = patch().patch().localPoints();

@@ -119,7 +119,10 @@ void Foam::bandLoads::add
     const vectorField& gradP = solved.gradP;
     const bodyState& state = body.state();
     const vector moving(state.U + region.slideVelocity());
-    const rigidAcceleration acceleration(body.motion().acceleration(solved.ddt));
+    const rigidAcceleration acceleration
+    (
+        body.motion().acceleration(solved.ddt)
+    );
 
     region.force.setSize(keepForces_ ? region.cells.size() : 0);
 

@@ -36,7 +36,8 @@ Foam::remapStencil::remapStencil
 {
     forAll(delta_, patchi)
     {
-        coupledPatch_[patchi] = cellSearch::matched(mesh.boundaryMesh()[patchi]);
+        coupledPatch_[patchi] =
+            cellSearch::matched(mesh.boundaryMesh()[patchi]);
 
         if (coupledPatch_[patchi])
         {

@@ -7,7 +7,7 @@ namespace
     //- Part of an error that corrects the change besides its own change
     const Foam::scalar alpha = 0.3;
 
-    //- Relative difference of two changes up to which they are of a smooth curve
+    //- Relative difference of two changes up to which a curve is smooth
     const Foam::scalar small = 0.25;
 }
 

@@ -56,7 +56,8 @@ void Foam::functionObjects::opticalSensor::follow
             scalar radius, angle;
 
             // Where it is in the mesh
-            crossing.x += bodies_.periods().wrap(crossing.x - displacement).shift;
+            crossing.x +=
+                bodies_.periods().wrap(crossing.x - displacement).shift;
             plane.polar(crossing.x, radius, angle);
 
             if (radius <= plane.radius())
