@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "boxMesh.H"
+#include "poissonProblem.H"
 #include "cellSearch.H"
 #include "lineRemap.H"
 #include "sweptRemap.H"
@@ -33,16 +33,13 @@ class lineBox
     {
         testTools::boxMesh box;
         box.x = {{
-            testTools::graded(9, 0.9, 1.1),
-            testTools::graded(10, 1.3, 0.93),
+            testTools::graded(17, 0.9, 1.05),
+            testTools::graded(16, 1.3, 0.96),
             testTools::graded(sides[2] == "ee" ? 1 : 8, 1, 1.05)
         }};
         box.sides = sides;
         box.seed = seed;
-        box.processor = [=](const labelVector& i)
-        {
-            return Pstream::parRun() && i[across] > 4 ? 1 : 0;
-        };
+        box.processor = testTools::processors(across, box);
 
         return box.make(time);
     }

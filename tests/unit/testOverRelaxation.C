@@ -63,7 +63,9 @@ tmp<fvVectorMatrix> equation(randomFlow& flow, const scalar nu)
     eqn.diag() = max(eqn.diag(), least) + rDeltaT*flow.mesh->V().field();
     eqn.source() = flow.gradP.primitiveField();
 
-    for (label celli = 30; celli < 40; ++celli)
+    const label last = min(40, eqn.diag().size());
+
+    for (label celli = min(30, last); celli < last; ++celli)
     {
         eqn.diag()[celli] *= 1e4;
         eqn.source()[celli] *= 1e4;

@@ -33,10 +33,11 @@ Foam::labelList Foam::rankBounds::others
     {
         bool reached = false;
 
-        for (const periodicity::image& im : images)
+        // overlaps() finds all points within bounds that are inverted
+        for (label i = 0; i < images.size() && bounds_[rank].valid(); ++i)
         {
-            reached =
-                reached || bounds_[rank].overlaps(x + im.shift, sqr(radius));
+            reached = reached
+             || bounds_[rank].overlaps(x + images[i].shift, sqr(radius));
         }
         if (reached && rank != Pstream::myProcNo())
         {
