@@ -13,11 +13,15 @@ namespace
     const Foam::label nPlain = 2;
     const Foam::scalar slow = 0.5;
 
-    //- Iterations that are combined only if changes grow, when each of them
-    //  has done what it can, and only those that change more than so many times
-    //  the least
+    //- Iterations that are combined only if they change more than so many times
+    //  the least: steps that are nearly there end sooner if each does what it
+    //  can
+    const Foam::label nSmall = 4;
+    const Foam::scalar large = 100;
+
+    //- The same if patient, and then only if changes grow
     const Foam::label nPatient = 10;
-    const Foam::scalar large = 30;
+    const Foam::scalar largePatient = 30;
 }
 
 
@@ -51,12 +55,13 @@ void Foam::outerAcceleration::watch
 )
 {
     // The first of those that do what they can changes more than those before
-    const bool wait = patient && outer <= nPatient;
+    const bool early = outer <= (patient ? nPatient : nSmall);
+    const bool wait = patient && early;
     const label last = wait ? nPlain + 1 : nPlain;
 
-    const bool begins = wait
-      ? change > max(change_, large*least)
-      : change > slow*change_;
+    const bool begins =
+        change > (wait ? change_ : slow*change_)
+     && (!early || change > (patient ? largePatient : large)*least);
 
     active_ = outer > last && change > least && (active_ || begins);
     change_ = change;
