@@ -208,29 +208,30 @@ void Foam::vectorSmoothSolver::follow(const tmp<vectorField>& trend)
 
 void Foam::vectorSmoothSolver::followTrend(const vector& norm)
 {
-    vectorField& values = psi_.primitiveFieldRef();
-
-    forAll(values, celli)
+    const auto add = [this](const scalar part)
     {
-        values[celli] += cmptMultiply(solved_, trend_()[celli]);
-    }
-    updateCoupled();
-    begin();
+        vectorField& values = psi_.primitiveFieldRef();
+
+        forAll(values, celli)
+        {
+            values[celli] += part*cmptMultiply(solved_, trend_()[celli]);
+        }
+        updateCoupled();
+        begin();
+    };
+
+    add(1);
 
     const vector residual(scaledResidual(norm));
 
     if (cmptSum(residual) < cmptSum(performance_.initialResidual()))
     {
         performance_.finalResidual() = residual;
-        return;
     }
-
-    forAll(values, celli)
+    else
     {
-        values[celli] -= cmptMultiply(solved_, trend_()[celli]);
+        add(-1);
     }
-    updateCoupled();
-    begin();
 }
 
 
