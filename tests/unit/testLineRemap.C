@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "poissonProblem.H"
 #include "cellSearch.H"
 #include "lineRemap.H"
+#include "poissonProblem.H"
 #include "sweptRemap.H"
 #include "testTools.H"
 
