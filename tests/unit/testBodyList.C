@@ -79,6 +79,47 @@ TEST_CASE("What belongs to bodies follows them in and out", "[bodyList]")
         CHECK(inStep(bodies, ratios));
     }
 
+    SECTION("some are kept, in another order")
+    {
+        const labelList order
+        (
+            GENERATE
+            (
+                labelList({3, 0, 1, 2}), labelList({1, 0, 3, 2}),
+                labelList({0, 2, 3}), labelList({2, 1, 0}), labelList({3, 0}),
+                labelList({2}), labelList()
+            )
+        );
+
+        bodies.reorder(order);
+        CHECK(inStep(bodies, ratios));
+        forAll(order, i)
+        {
+            CHECK(ratios[i] == order[i] + 1);
+        }
+    }
+
+    SECTION("they are found by their numbers")
+    {
+        const labelList numbers({7, 2, 9, 4});
+
+        forAll(bodies, i)
+        {
+            bodies[i].setNumber(numbers[i]);
+        }
+        bodies.sort();
+
+        CHECK(inStep(bodies, ratios));
+        CHECK(ratios == scalarList({2, 4, 1, 3}));
+        forAll(bodies, i)
+        {
+            CHECK(bodies.find(bodies[i].number()) == i);
+        }
+        CHECK(bodies.find(1) == -1);
+        CHECK(bodies.find(5) == -1);
+        CHECK(bodies.find(10) == -1);
+    }
+
     SECTION("all are exchanged")
     {
         bodies.exchange(makeBodies(2));

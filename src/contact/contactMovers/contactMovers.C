@@ -102,7 +102,7 @@ bool Foam::contactMovers::within(UList<scalar>& furthest) const
         }
     });
 
-    return all;
+    return spread() ? returnReduce(all, andOp<bool>()) : all;
 }
 
 

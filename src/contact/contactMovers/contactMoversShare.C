@@ -11,6 +11,12 @@ void Foam::contactMovers::share
 {
     share_.clear();
 
+    if (spread())
+    {
+        share_.divide(held_->owners());
+        return;
+    }
+
     if (!allowed || !Pstream::parRun())
     {
         return;
@@ -39,6 +45,11 @@ void Foam::contactMovers::connect()
     }
 
     exchange_.connect(bodies, share_, numbers_);
+
+    if (spread())
+    {
+        exchange_.agree(*held_, numbers_, *this);
+    }
 }
 
 
@@ -98,5 +109,98 @@ void Foam::contactMovers::collect()
             mine.append(outcomeOf(m));
         }
     }
-    outcomes_ = gatherAll(mine);
+    outcomes_ = gather(mine);
+}
+
+
+Foam::List<Foam::contactMovers::outcome> Foam::contactMovers::gather
+(
+    const UList<outcome>& mine
+) const
+{
+    if (!spread())
+    {
+        return gatherAll(mine);
+    }
+
+    List<DynamicList<outcome>> send(Pstream::nProcs());
+
+    for (const outcome& one : mine)
+    {
+        outcome keyed(one);
+
+        keyed.body = held_->key(one.body);
+        send[Pstream::myProcNo()].append(keyed);
+        for (const label rank : held_->others(one.body))
+        {
+            send[rank].append(keyed);
+        }
+    }
+
+    DynamicList<outcome> all;
+
+    for (const List<outcome>& received : exchangeLists(send))
+    {
+        for (outcome one : received)
+        {
+            one.body = held_->find(one.body);
+            all.append(one);
+        }
+    }
+
+    return List<outcome>(std::move(all));
+}
+
+
+Foam::vectorList Foam::contactMovers::sendToOwners
+(
+    const UList<labelPair>& numbers,
+    const UList<vector>& packed
+) const
+{
+    const label n = numbers.empty() ? 0 : packed.size()/numbers.size();
+    List<DynamicList<vector>> send(Pstream::nProcs());
+
+    forAll(numbers, i)
+    {
+        const label first = held_->owner(held_->find(numbers[i].first()));
+        const label b = numbers[i].second();
+        const label second = b < 0 ? first : held_->owner(held_->find(b));
+        const SubList<vector> one(packed, n, n*i);
+
+        send[first].append(one);
+        if (second != first)
+        {
+            send[second].append(one);
+        }
+    }
+
+    DynamicList<vector> all;
+
+    for (const List<vector>& received : exchangeLists(send))
+    {
+        all.append(received);
+    }
+
+    return vectorList(std::move(all));
+}
+
+
+Foam::scalar Foam::contactMovers::mean(const UList<scalar>& values) const
+{
+    vector2D sums(Zero);
+
+    forAll(values, i)
+    {
+        if (!spread() || held_->mine(i))
+        {
+            sums += vector2D(values[i], 1);
+        }
+    }
+    if (spread())
+    {
+        reduce(sums, sumOp<vector2D>());
+    }
+
+    return sums.x()/max(sums.y(), scalar(1));
 }

@@ -11,7 +11,15 @@ const Foam::label Foam::contactShare::fewest;
 
 bool Foam::contactShare::mine(const label bodyi) const
 {
-    return owners_.empty() || owners_[bodyi] == Pstream::myProcNo();
+    return !active_ || owners_[bodyi] == Pstream::myProcNo();
+}
+
+
+void Foam::contactShare::divide(const labelUList& owners)
+{
+    active_ = true;
+    slabs_ = false;
+    owners_ = owners;
 }
 
 
@@ -25,6 +33,8 @@ void Foam::contactShare::divide(const UList<point>& centres)
     {
         return;
     }
+
+    active_ = slabs_ = true;
 
     const vector span(boundBox(centres, false).span());
 
@@ -79,7 +89,7 @@ Foam::boolList Foam::contactShare::distant
     const periodicity& periods
 ) const
 {
-    if (!active())
+    if (!slabs_)
     {
         return boolList();
     }

@@ -120,7 +120,17 @@ void Foam::historyContact<Record>::endStep()
     vectorList packed(history_.pack());
 
     // As the states of the bodies: the copies must not drift apart
-    if (movers_.shared())
+    if (movers_.spread())
+    {
+        DynamicList<labelPair> numbers(history_.records().size());
+
+        for (const Record& r : history_.records())
+        {
+            numbers.append(r.bodies);
+        }
+        packed = movers_.sendToOwners(numbers, packed);
+    }
+    else if (movers_.shared())
     {
         packed = gatherAll(packed);
     }

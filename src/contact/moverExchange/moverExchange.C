@@ -90,6 +90,38 @@ void Foam::moverExchange::connect
 }
 
 
+void Foam::moverExchange::agree
+(
+    const bodyShare& held,
+    const labelUList& movers,
+    const UList<contactMover>& all
+)
+{
+    List<DynamicList<label>> wanted(Pstream::nProcs());
+
+    forAll(wanted, rank)
+    {
+        for (label k = receivedStart_[rank]; k < receivedStart_[rank + 1]; ++k)
+        {
+            wanted[rank].append(held.key(all[received_[k]].body));
+        }
+    }
+
+    DynamicList<label> sent;
+
+    sentStart_ = labelList(1, label(0));
+    for (const List<label>& ofRank : exchangeLists(wanted))
+    {
+        for (const label key : ofRank)
+        {
+            sent.append(movers[held.find(key)]);
+        }
+        sentStart_.append(sent.size());
+    }
+    sent_ = sent;
+}
+
+
 void Foam::moverExchange::exchange
 (
     const UList<bool>& touched,
@@ -113,12 +145,13 @@ void Foam::moverExchange::exchange
         }
         for (label k = first; k < end; ++k)
         {
-            const bodyState& state = movers[sent_[k]].state;
-
-            if (!touched[sent_[k]])
+            if (sent_[k] < 0 || !touched[sent_[k]])
             {
                 continue;
             }
+
+            const bodyState& state = movers[sent_[k]].state;
+
             velocities[number] += 1;
             velocities.append(k - first);
             for (const vector& v : {state.U, state.omega})

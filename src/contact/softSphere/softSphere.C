@@ -31,6 +31,7 @@ Foam::contactModels::softSphere::softSphere
     touches_(law_(), movers_, meetings_),
     films_(lubrication, movers_),
     slideSpeed_(0),
+    wayWanted_(0),
     advanced_(false)
 {
     wordList ours
@@ -189,6 +190,8 @@ void Foam::contactModels::softSphere::advance
     const vector& meshU
 )
 {
+    wayWanted_ = 0;
+
     // Those that were hit and went further than the search has known may have
     // met others
     scalarField furthest(likelyWays(bodies, dt, meshU));
@@ -196,6 +199,14 @@ void Foam::contactModels::softSphere::advance
 
     do
     {
+        const scalar most =
+            movers_.largest(furthest.empty() ? 0 : max(furthest));
+
+        if (most > movers_.mostWay())
+        {
+            wayWanted_ = most;
+            return;
+        }
         any = goThrough(bodies, h, walls, periods, dt, meshU, furthest);
     }
     while (any && !movers_.within(furthest));
@@ -207,6 +218,19 @@ void Foam::contactModels::softSphere::advance
     }
     sumEnergy();
     advanced_ = true;
+}
+
+
+bool Foam::contactModels::softSphere::follow(const bodyShare& share)
+{
+    const bool can = !films_.active() && !rough_;
+
+    if (can)
+    {
+        movers_.follow(share);
+    }
+
+    return can;
 }
 
 

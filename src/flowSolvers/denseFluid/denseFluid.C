@@ -169,7 +169,7 @@ bool Foam::flowSolvers::denseFluid::outerLoop()
 
 void Foam::flowSolvers::denseFluid::motionCorrector()
 {
-    nBodies_ = bodies_.size();
+    nBodies_ = bodies_.nBodies();
     bodies_.beginStep();
     bodies_.predict(false);
     oldVoid_ = void_;
@@ -187,7 +187,7 @@ void Foam::flowSolvers::denseFluid::postSolve()
 {
     fluidWithBodies::postSolve();
 
-    if (bodies_.size() != nBodies_ || bodies_.departed().size())
+    if (bodies_.nBodies() != nBodies_ || bodies_.departed().size())
     {
         bodies_.unresolved().update();
         setVoid();

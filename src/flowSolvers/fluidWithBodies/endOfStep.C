@@ -28,7 +28,7 @@ void Foam::flowSolvers::fluidWithBodies::postSolve()
         bodies_.bodyFraction()->write();
     }
 
-    if (!(bodies_.list().maxSpeed() < GREAT))
+    if (!(bodies_.maxSpeed() < GREAT))
     {
         FatalErrorInFunction
             << "The velocities of the bodies have diverged at time "
@@ -64,6 +64,7 @@ void Foam::flowSolvers::fluidWithBodies::stop
 
     if (stepped)
     {
+        bodies_.unite();
         runTime_.writeNow();
         bodies_.bodyFraction()->write();
 
@@ -93,7 +94,7 @@ void Foam::flowSolvers::fluidWithBodies::reportProgress() const
 
     Info<< "Progress: step " << runTime_.timeIndex()
         << ", Courant number " << CoNum
-        << ", bodies " << bodies_.size();
+        << ", bodies " << bodies_.nBodies();
     if (bodies_.list().nAsleep())
     {
         Info<< " (" << bodies_.list().nAsleep() << " asleep)";
@@ -137,7 +138,7 @@ void Foam::flowSolvers::fluidWithBodies::warnOfSlip()
     const scalar large = 0.25;
     const label nSteps = runTime_.timeIndex() - runTime_.startTimeIndex();
 
-    if (warnedOfSlip_ || nSteps < 10 || !bodies_.size())
+    if (warnedOfSlip_ || nSteps < 10 || !bodies_.nBodies())
     {
         return;
     }

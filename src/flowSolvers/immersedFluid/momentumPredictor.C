@@ -46,7 +46,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     if
     (
         bodies_.region().bands().few()
-     || (bandsSuffice() && bodies_.list().nUnresolved())
+     || (bandsSuffice() && bodies_.unresolved().coupling().active())
     )
     {
         // The matrix and the kernels are to be those of all
@@ -162,7 +162,7 @@ bool Foam::flowSolvers::immersedFluid::solveInBands
         ddt, correction_.gradP(), iteration_.limit()
     );
 
-    if (done && bodies_.list().nUnresolved())
+    if (done && bodies_.unresolved().coupling().active())
     {
         addForce(bodies_.unresolved().follow(ddt), ddt);
     }
@@ -176,7 +176,7 @@ void Foam::flowSolvers::immersedFluid::correctUnresolved
     const ddtCoefficients& ddt
 )
 {
-    if (!bodies_.list().nUnresolved())
+    if (!bodies_.unresolved().coupling().active())
     {
         return;
     }

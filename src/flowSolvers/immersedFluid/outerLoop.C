@@ -70,19 +70,11 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
 
 Foam::scalar Foam::flowSolvers::immersedFluid::way() const
 {
-    const scalar dt = runTime_.deltaTValue();
-    scalar most = 0;
-
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
-        const scalar h = body.shape().width()/bodies_.cellsPerWidth(bodyi);
-        const scalar nCells = dt*body.maxSpeed(bodies_.window().velocity())/h;
-
-        most = max(most, nCells/(body.resolved() ? maxCells : maxUnresolved));
-    }
-
-    return most;
+    return max
+    (
+        bodies_.cellsOnTheWay(true)/maxCells,
+        bodies_.cellsOnTheWay(false)/maxUnresolved
+    );
 }
 
 

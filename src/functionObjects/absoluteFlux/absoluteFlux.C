@@ -36,7 +36,7 @@ bool Foam::functionObjects::absoluteFlux::execute()
     (
         "V",
         dimVelocity,
-        bodyFunctionObject::bodiesOf(mesh_, name()).window().velocity()
+        bodyFunctionObject::sceneOf(mesh_, name()).window().velocity()
     );
     word phiAbs("phiAbs");
 

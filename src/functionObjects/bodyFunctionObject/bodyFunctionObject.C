@@ -24,15 +24,14 @@ Foam::functionObjects::bodyFunctionObject::bodyFunctionObject
 {}
 
 
-const Foam::immersedBodies&
-Foam::functionObjects::bodyFunctionObject::bodiesOf
+Foam::immersedBodies& Foam::functionObjects::bodyFunctionObject::sceneOf
 (
     const fvMesh& mesh,
     const word& name
 )
 {
-    const immersedBodies* bodies =
-        mesh.findObject<immersedBodies>(immersedBodies::typeName);
+    immersedBodies* bodies =
+        mesh.getObjectPtr<immersedBodies>(immersedBodies::typeName);
 
     if (!bodies)
     {
@@ -43,6 +42,21 @@ Foam::functionObjects::bodyFunctionObject::bodiesOf
     }
 
     return *bodies;
+}
+
+
+const Foam::immersedBodies&
+Foam::functionObjects::bodyFunctionObject::bodiesOf
+(
+    const fvMesh& mesh,
+    const word& name
+)
+{
+    immersedBodies& bodies = sceneOf(mesh, name);
+
+    bodies.keepTogether();
+
+    return bodies;
 }
 
 
@@ -100,6 +114,8 @@ bool Foam::functionObjects::bodyFunctionObject::execute()
 
 bool Foam::functionObjects::bodyFunctionObject::write()
 {
+    sceneOf(mesh_, name()).unite();
+
     const immersedBodies& bodies = this->bodies();
 
     if (!writeToFile())

@@ -36,8 +36,8 @@ bool Foam::functionObjects::immersedBodyEnergy::read(const dictionary& dict)
 
 bool Foam::functionObjects::immersedBodyEnergy::write()
 {
-    const immersedBodies* found =
-        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
+    immersedBodies* found =
+        mesh_.getObjectPtr<immersedBodies>(immersedBodies::typeName);
 
     if (!found)
     {
@@ -46,6 +46,8 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
             << " it with the solver immersedFluid and bodies in"
             << " constant/immersedBodyProperties" << nl << exit(FatalError);
     }
+
+    found->unite();
 
     if (!writeToFile())
     {

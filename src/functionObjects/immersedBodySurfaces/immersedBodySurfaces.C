@@ -200,10 +200,17 @@ void Foam::functionObjects::immersedBodySurfaces::writeCellData
 
 bool Foam::functionObjects::immersedBodySurfaces::write()
 {
-    const immersedBodies* bodies =
-        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
+    immersedBodies* bodies =
+        mesh_.getObjectPtr<immersedBodies>(immersedBodies::typeName);
 
-    if (!bodies || !Pstream::master())
+    if (!bodies)
+    {
+        return true;
+    }
+
+    bodies->unite();
+
+    if (!Pstream::master())
     {
         return true;
     }

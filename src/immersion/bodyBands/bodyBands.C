@@ -62,6 +62,13 @@ void Foam::bodyBands::removed(const label bodyi)
 }
 
 
+void Foam::bodyBands::reordered(const labelUList& order)
+{
+    selectAll();
+    regions_.renumber(order);
+}
+
+
 bool Foam::bodyBands::stillValid(const PtrList<immersedBody>& bodies) const
 {
     if (!regions_.complete(bodies))

@@ -124,6 +124,30 @@ void Foam::bodyRegions::remove(const label bodyi)
 }
 
 
+void Foam::bodyRegions::renumber(const labelUList& order)
+{
+    PtrList<bodyRegion> kept(regions_.size());
+    label n = 0;
+
+    forAll(order, bodyi)
+    {
+        if (order[bodyi] >= ofBody_.size())
+        {
+            continue;
+        }
+        for (const label i : ofBody_[order[bodyi]])
+        {
+            kept.set(n, regions_.release(i));
+            kept[n++].renumber(bodyi);
+        }
+    }
+
+    kept.resize(n);
+    regions_.transfer(kept);
+    index();
+}
+
+
 void Foam::bodyRegions::update
 (
     const PtrList<immersedBody>& bodies,

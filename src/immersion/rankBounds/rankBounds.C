@@ -13,6 +13,36 @@ Foam::rankBounds::rankBounds(const fvMesh& mesh)
 }
 
 
+Foam::labelList Foam::rankBounds::reached
+(
+    const point& x,
+    const scalar radius,
+    const periodicity& periods
+) const
+{
+    DynamicList<label> ranks;
+    const List<periodicity::image> images(periods.globalImages(x, radius));
+
+    forAll(bounds_, rank)
+    {
+        bool reached = false;
+
+        // overlaps() finds all points within bounds that are inverted
+        for (label i = 0; i < images.size() && bounds_[rank].valid(); ++i)
+        {
+            reached = reached
+             || bounds_[rank].overlaps(x + images[i].shift, sqr(radius));
+        }
+        if (reached)
+        {
+            ranks.append(rank);
+        }
+    }
+
+    return ranks;
+}
+
+
 Foam::labelList Foam::rankBounds::others
 (
     const point& x,
@@ -27,19 +57,9 @@ Foam::labelList Foam::rankBounds::others
         return ranks;
     }
 
-    const List<periodicity::image> images(periods.globalImages(x, radius));
-
-    forAll(bounds_, rank)
+    for (const label rank : reached(x, radius, periods))
     {
-        bool reached = false;
-
-        // overlaps() finds all points within bounds that are inverted
-        for (label i = 0; i < images.size() && bounds_[rank].valid(); ++i)
-        {
-            reached = reached
-             || bounds_[rank].overlaps(x + images[i].shift, sqr(radius));
-        }
-        if (reached && rank != Pstream::myProcNo())
+        if (rank != Pstream::myProcNo())
         {
             ranks.append(rank);
         }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyList.H"
+#include "bodyShare.H"
+#include "ListOps.H"
+#include <algorithm>
 
 Foam::bodyList::dependent::dependent(bodyList& bodies)
 :
@@ -31,7 +34,12 @@ Foam::bodyList::bodyList(PtrList<immersedBody>&& bodies)
     {
         PtrDynList<immersedBody>::append(bodies.release(i).ptr());
     }
+    share_.reset(new bodyShare(*this));
 }
+
+
+Foam::bodyList::~bodyList()
+{}
 
 
 bool Foam::bodyList::anyFree() const
@@ -102,6 +110,28 @@ Foam::label Foam::bodyList::nUnresolved() const
 }
 
 
+Foam::label Foam::bodyList::find(const label number) const
+{
+    label first = 0, end = size();
+
+    while (first < end)
+    {
+        const label middle = (first + end)/2;
+
+        if (operator[](middle).number() < number)
+        {
+            first = middle + 1;
+        }
+        else
+        {
+            end = middle;
+        }
+    }
+
+    return first < size() && operator[](first).number() == number ? first : -1;
+}
+
+
 Foam::scalar Foam::bodyList::maxSpeed() const
 {
     scalar speed = 0;
@@ -160,6 +190,47 @@ Foam::autoPtr<Foam::immersedBody> Foam::bodyList::take(const label i)
     }
 
     return body;
+}
+
+
+void Foam::bodyList::reorder(const labelUList& order)
+{
+    typedef PtrDynList<immersedBody> list;
+
+    PtrList<immersedBody> kept(order.size());
+
+    forAll(order, i)
+    {
+        kept.set(i, list::release(order[i]));
+    }
+
+    list::clear();
+    forAll(kept, i)
+    {
+        list::append(kept.release(i).ptr());
+    }
+    list::shrink();
+
+    for (dependent* one : dependents_)
+    {
+        one->reordered(order);
+    }
+}
+
+
+void Foam::bodyList::sort()
+{
+    labelList order(identity(size()));
+
+    std::sort
+    (
+        order.begin(), order.end(),
+        [&](const label i, const label j)
+        {
+            return operator[](i).number() < operator[](j).number();
+        }
+    );
+    reorder(order);
 }
 
 

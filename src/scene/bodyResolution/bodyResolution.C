@@ -150,6 +150,21 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
 }
 
 
+bool Foam::bodyResolution::anyToResolve() const
+{
+    bool any = false;
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        any = any || (!body.resolved() && choice().resolves(body, h_[bodyi]));
+    }
+
+    return returnReduce(any, orOp<bool>());
+}
+
+
 void Foam::bodyResolution::select(volVectorField& U)
 {
     if (!anyAuto())

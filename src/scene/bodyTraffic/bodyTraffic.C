@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyTraffic.H"
+#include "bodyShare.H"
 
 Foam::bodyTraffic::bodyTraffic
 (
@@ -57,14 +58,22 @@ bool Foam::bodyTraffic::leave()
     {
         const immersedBody& body = bodies_[bodyi];
 
-        if (loads_.inMesh(bodyi) || body.isFixed())
+        if
+        (
+            loads_.inMesh(bodyi) || body.isFixed()
+         || !bodies_.share().mine(bodyi)
+        )
         {
             continue;
         }
 
         if (body.status().passing().empty())
         {
-            Info<< "Body " << body.name() << " has left the mesh at "
+            OSstream& os = bodies_.share().spread()
+              ? static_cast<OSstream&>(Pout)
+              : static_cast<OSstream&>(Info);
+
+            os  << "Body " << body.name() << " has left the mesh at "
                 << body.state().position + window_.displacement()
                 << ", moving with " << body.state().U << endl;
             good = false;
@@ -84,5 +93,7 @@ bool Foam::bodyTraffic::leave()
         region_.updateGeometry(bodies_, true);
     }
 
-    return good;
+    return bodies_.share().spread()
+      ? returnReduce(good, andOp<bool>())
+      : good;
 }

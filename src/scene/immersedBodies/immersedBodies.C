@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "ambientVelocities.H"
 #include "bodyContacts.H"
+#include "bodyHandover.H"
 #include "bodyPassage.H"
 #include "bodyPlacement.H"
 #include "bodyProperties.H"
@@ -104,6 +105,7 @@ Foam::immersedBodies::immersedBodies
     crowd_(bodies_),
     restarted_(readState()),
     moving_(movesThroughMesh(bodies_) || passage_->injects()),
+    steady_(dict),
     resolved_
     (
         new resolvedBodies
@@ -134,6 +136,18 @@ Foam::immersedBodies::immersedBodies
             h_
         )
     ),
+    handover_
+    (
+        new bodyHandover
+        (
+            bodies_,
+            h_,
+            unresolved_->coupling().kernels(),
+            region().search(),
+            periodicity_,
+            maySpread()
+        )
+    ),
     resolution_
     (
         new bodyResolution
@@ -153,8 +167,7 @@ Foam::immersedBodies::immersedBodies
             h_,
             passage_()
         )
-    ),
-    steady_(dict)
+    )
 {
     const dictionary& bodies = dict_.subOrEmptyDict("bodies");
 
@@ -192,6 +205,12 @@ Foam::unresolvedBodies& Foam::immersedBodies::unresolved()
 }
 
 
+Foam::label Foam::immersedBodies::nBodies() const
+{
+    return bodies_.share().nAll();
+}
+
+
 Foam::scalar Foam::immersedBodies::courantNo() const
 {
     scalar Co = 0;
@@ -203,7 +222,68 @@ Foam::scalar Foam::immersedBodies::courantNo() const
         Co = max(Co, speed/h_[bodyi]);
     }
 
-    return Co*mesh_.time().deltaTValue();
+    return bodies_.share().largest(Co)*mesh_.time().deltaTValue();
+}
+
+
+Foam::scalar Foam::immersedBodies::minCellSize() const
+{
+    return -bodies_.share().largest(h_.empty() ? -GREAT : -min(h_));
+}
+
+
+Foam::scalar Foam::immersedBodies::maxSpeed() const
+{
+    return bodies_.share().largest(bodies_.maxSpeed());
+}
+
+
+Foam::scalar Foam::immersedBodies::cellsOnTheWay(const bool resolved) const
+{
+    const scalar dt = mesh_.time().deltaTValue();
+    scalar most = 0;
+
+    forAll(bodies_, bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        if (body.resolved() == resolved)
+        {
+            const scalar h = body.shape().width()/cellsPerWidth(bodyi);
+
+            most = max(most, dt*body.maxSpeed(window_.velocity())/h);
+        }
+    }
+
+    return bodies_.share().largest(most);
+}
+
+
+bool Foam::immersedBodies::maySpread()
+{
+    // The contact model follows what there is
+    return
+        unresolved_->coupling().choice().maybeUnresolved(bodies_)
+     && !passage_->injects() && !passage_->leaving().active()
+     && !steady_.active() && !window_.comoving() && !periodicity_.sliding()
+     && contacts_->follow(bodies_.share());
+}
+
+
+void Foam::immersedBodies::unite()
+{
+    if (handover_->unite())
+    {
+        // What is kept of contacts is that of all
+        contacts_->endStep();
+    }
+}
+
+
+void Foam::immersedBodies::keepTogether()
+{
+    unite();
+    handover_->forbid();
 }
 
 

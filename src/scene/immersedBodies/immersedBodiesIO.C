@@ -3,6 +3,7 @@
 #include "immersedBodies.H"
 #include "bodyContacts.H"
 #include "bodyPassage.H"
+#include "bodyShare.H"
 #include "uniformState.H"
 #include "unresolvedBodies.H"
 
@@ -31,6 +32,7 @@ bool Foam::immersedBodies::readState()
     passage_->readState(states, bodies_);
     contacts_->readState(states, bodies_);
     crowd_.readState(states);
+    bodies_.share().readState(states);
 
     const scalarList h
     (
@@ -109,6 +111,14 @@ void Foam::immersedBodies::report(Ostream& os) const
 
 bool Foam::immersedBodies::writeData(Ostream& os) const
 {
+    if (bodies_.share().spread())
+    {
+        FatalErrorInFunction
+            << "Bodies that are spread over the ranks are united at times when"
+            << " fields are written, and can only be written then" << nl
+            << exit(FatalError);
+    }
+
     // As many digits as it takes to go on exactly
     const auto precision = os.precision(17);
 
@@ -117,6 +127,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     passage_->writeState(os);
     contacts_->writeState(bodies_, os);
     crowd_.writeState(os);
+    bodies_.share().writeState(os);
 
     // As text, whatever the format
     os.writeKeyword("cellSizes") << token::BEGIN_LIST;

@@ -2,79 +2,13 @@
 
 #include "immersedBodies.H"
 #include "bodyContacts.H"
+#include "bodyHandover.H"
 #include "bodyPassage.H"
 #include "bodyResolution.H"
 #include "bodyTraffic.H"
-#include "compat.H"
-#include "Hasher.H"
 #include "meshProperties.H"
 #include "profiling.H"
 #include "unresolvedBodies.H"
-
-namespace
-{
-
-//- Does a list differ from that of another processor. Collective.
-bool differs(const Foam::vectorField& list)
-{
-    const Foam::label hash
-    (
-        Foam::Hasher(list.cdata(), list.size()*sizeof(Foam::vector)) >> 1
-    );
-
-    return
-        Foam::returnReduce(hash, Foam::minOp<Foam::label>())
-     != Foam::returnReduce(hash, Foam::maxOp<Foam::label>());
-}
-
-
-//- Give all processors the states of the master: rounding on unlike machines
-//  must not let the copies drift apart
-void shareStates(Foam::bodyList& bodies)
-{
-    if (!Foam::Pstream::parRun())
-    {
-        return;
-    }
-
-    const Foam::label n = 5;
-    Foam::vectorField packed(n*bodies.size());
-
-    forAll(bodies, bodyi)
-    {
-        const Foam::bodyState& state = bodies[bodyi].state();
-        Foam::vector* to = &packed[n*bodyi];
-
-        to[0] = state.position;
-        to[1] = state.orientation.v();
-        to[2] = Foam::vector(state.orientation.w(), 0, 0);
-        to[3] = state.U;
-        to[4] = state.omega;
-    }
-
-    if (!differs(packed))
-    {
-        return;
-    }
-
-    Foam::compat::broadcast(packed);
-
-    forAll(bodies, bodyi)
-    {
-        Foam::bodyState state;
-        const Foam::vector* from = &packed[n*bodyi];
-
-        state.position = from[0];
-        state.orientation = Foam::quaternion(from[2].x(), from[1]);
-        state.U = from[3];
-        state.omega = from[4];
-
-        bodies[bodyi].setState(state);
-    }
-}
-
-} // End anonymous namespace
-
 
 Foam::scalar Foam::immersedBodies::stepRatio() const
 {
@@ -87,6 +21,7 @@ void Foam::immersedBodies::beginStep()
     clock_ += mesh_.time().deltaTValue();
     meshProperties::slide(mesh_, periodicity_);
     passage_->beginStep();
+    handover_->beginStep(mesh_.time().deltaTValue());
     oldH_ = h_;
 
     for (immersedBody& body : bodies_)
@@ -121,15 +56,26 @@ void Foam::immersedBodies::predictPoses()
 
     window_.move(dt);
 
-    for (immersedBody& body : bodies_)
+    // Those that go further than expected may meet bodies that are not here
+    do
     {
-        body.predictPose
-        (
-            dt, window_.meanVelocity(), window_.displacement()
-        );
-    }
+        for (immersedBody& body : bodies_)
+        {
+            body.predictPose
+            (
+                dt, window_.meanVelocity(), window_.displacement()
+            );
+        }
 
-    contacts_->advance(bodies_, h_, dt, window_.meanVelocity());
+        contacts_->advance(bodies_, h_, dt, window_.meanVelocity());
+    }
+    while (handover_->extend(contacts_->model().wayWanted()));
+
+    // Of those that have come in this time step
+    forAll(h_, bodyi)
+    {
+        oldH_[bodyi] = oldH_[bodyi] < 0 ? h_[bodyi] : oldH_[bodyi];
+    }
 }
 
 
@@ -180,8 +126,7 @@ bool Foam::immersedBodies::endStep()
 
     // The poses that go with the last correction of the velocities
     predictPoses();
-    shareStates(bodies_);
-    contacts_->endStep();
+    handover_->shareStates();
 
     for (immersedBody& body : bodies_)
     {
@@ -198,6 +143,15 @@ bool Foam::immersedBodies::endStep()
     // The regions go with the positions so far
     wrapPositions();
 
+    // What is written is the state of all
+    if (mesh_.time().writeTime())
+    {
+        handover_->unite();
+    }
+    handover_->hand(mesh_.time().deltaTValue());
+    contacts_->endStep();
+    handover_->drop();
+
     return good;
 }
 
@@ -206,7 +160,15 @@ void Foam::immersedBodies::enter(volVectorField& U)
 {
     // A body that is due at the end of the step must not miss it by rounding
     traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U);
-    resolution_->select(U);
+
+    if (bodies_.share().spread() && resolution_->anyToResolve())
+    {
+        unite();
+    }
+    if (!bodies_.share().spread())
+    {
+        resolution_->select(U);
+    }
 }
 
 

@@ -18,6 +18,7 @@ Foam::grainKernels::grainKernels
     cells_(keywords::positiveOr(dict, "cells", 3)),
     diameters_(keywords::positiveOr(dict, "diameters", 2)),
     bounds_(mesh_),
+    held_(bodies.share()),
     kernels_(bodies),
     inside_(bodies, false),
     nUnresolved_(0)
@@ -116,8 +117,8 @@ void Foam::grainKernels::sort(const PtrList<immersedBody>& bodies)
         }
     }
 
-    nUnresolved_ = unresolved.size();
     ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
+    nUnresolved_ = countUnresolved();
 }
 
 
@@ -142,7 +143,7 @@ void Foam::grainKernels::update
         kernels_[i].update
         (
             bodies[i].state().position,
-            max(cells_*h[i], diameters_*diameter(bodies[i])),
+            radius(bodies[i], h[i]),
             bounds_.mine(),
             search_,
             periods_
@@ -155,7 +156,16 @@ void Foam::grainKernels::update
         return;
     }
 
-    share_.divide(findCentres(h), nUnresolved_);
+    const labelList ranks(findCentres(h));
+
+    if (held_.spread())
+    {
+        share_.divide(held_);
+    }
+    else
+    {
+        share_.divide(ranks, nUnresolved_);
+    }
     keepNear();
     normalise();
 }

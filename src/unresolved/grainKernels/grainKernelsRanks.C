@@ -2,7 +2,18 @@
 
 #include "grainKernels.H"
 
-Foam::labelList Foam::grainKernels::findCentres(scalarList& h)
+Foam::labelList Foam::grainKernels::others(const label bodyi) const
+{
+    const bodyKernel& kernel = kernels_[bodyi];
+
+    return held_.spread()
+      ? held_.others(bodyi)
+      : bounds_.others(kernel.centre(), kernel.radius(), periods_);
+}
+
+
+Foam::DynamicList<Foam::grainKernels::found>
+Foam::grainKernels::findHere() const
 {
     DynamicList<found> mine(ordered_.size());
 
@@ -13,32 +24,76 @@ Foam::labelList Foam::grainKernels::findCentres(scalarList& h)
 
         if (centre >= 0)
         {
-            mine.append(found{i, 1, search_.hMax(centre)});
+            mine.append(found{held_.key(i), 1, search_.hMax(centre)});
         }
         else if (kernel.nBeside())
         {
-            mine.append(found{i, -kernel.nBeside(), kernel.hBeside()});
+            mine.append
+            (
+                found{held_.key(i), -kernel.nBeside(), kernel.hBeside()}
+            );
         }
-        inside_[i] = false;
     }
 
-    labelList start;
-    const List<found> all(gatherAll<found>(mine, start));
+    return mine;
+}
+
+
+Foam::List<Foam::List<Foam::grainKernels::found>>
+Foam::grainKernels::findEverywhere() const
+{
+    const DynamicList<found> mine(findHere());
+    List<List<found>> all(Pstream::nProcs());
+
+    if (!held_.spread())
+    {
+        labelList start;
+        const List<found> flat(gatherAll<found>(mine, start));
+
+        forAll(all, rank)
+        {
+            all[rank] = SubList<found>
+            (
+                flat, start[rank + 1] - start[rank], start[rank]
+            );
+        }
+
+        return all;
+    }
+
+    List<DynamicList<found>> send(all.size());
+
+    for (const found& one : mine)
+    {
+        send[Pstream::myProcNo()].append(one);
+        for (const label rank : held_.others(held_.find(one.key)))
+        {
+            send[rank].append(one);
+        }
+    }
+
+    return exchangeLists(send);
+}
+
+
+Foam::labelList Foam::grainKernels::findCentres(scalarList& h)
+{
     List<found> sums(kernels_.size(), found{-1, 0, 0});
     labelList ranks(kernels_.size(), -1);
+    const List<List<found>> all(findEverywhere());
 
-    for (label rank = 0; rank < Pstream::nProcs(); ++rank)
+    forAll(all, rank)
     {
-        for (label k = start[rank]; k < start[rank + 1]; ++k)
+        for (const found& one : all[rank])
         {
-            const found& one = all[k];
-            found& sum = sums[one.body];
+            const label i = held_.find(one.key);
+            found& sum = sums[i];
 
             // A cell with the centre counts more than any next to it
             if (sum.n == 0 || (one.n > 0 && sum.n < 0))
             {
                 sum = one;
-                ranks[one.body] = rank;
+                ranks[i] = rank;
             }
             else if ((one.n > 0) == (sum.n > 0))
             {
@@ -48,11 +103,11 @@ Foam::labelList Foam::grainKernels::findCentres(scalarList& h)
         }
     }
 
-    forAll(sums, i)
+    for (const label i : ordered_)
     {
-        if (sums[i].n != 0)
+        inside_[i] = sums[i].n != 0;
+        if (inside_[i])
         {
-            inside_[i] = true;
             h[i] = sums[i].h/mag(sums[i].n);
         }
     }
@@ -94,14 +149,10 @@ void Foam::grainKernels::normalise()
             continue;
         }
 
-        const weighed one{i, kernel.sum(mesh_.V())};
+        const weighed one{held_.key(i), kernel.sum(mesh_.V())};
 
         send[me].append(one);
-        for
-        (
-            const label rank
-          : bounds_.others(kernel.centre(), kernel.radius(), periods_)
-        )
+        for (const label rank : others(i))
         {
             send[rank].append(one);
         }
@@ -114,9 +165,11 @@ void Foam::grainKernels::normalise()
     {
         for (const weighed& one : received)
         {
-            if (place_[one.body] >= 0)
+            const label k = place_[held_.find(one.key)];
+
+            if (k >= 0)
             {
-                sums[place_[one.body]] += one.sum;
+                sums[k] += one.sum;
             }
         }
     }

@@ -10,14 +10,34 @@ void Foam::grainShare::divide(const labelUList& owners, const label nGrains)
     const label nRanks = Pstream::nProcs();
 
     owners_.clear();
+    spread_ = nullptr;
 
     if (!Pstream::parRun() || nGrains < fewest*nRanks)
     {
         return;
     }
     owners_ = owners;
+    list();
+}
 
-    labelList sizes(nRanks, 0);
+
+void Foam::grainShare::divide(const bodyShare& spread)
+{
+    owners_ = spread.owners();
+    spread_ = &spread;
+    list();
+
+    placeOfOwn_.setSize(owners_.size());
+    forAll(own(), k)
+    {
+        placeOfOwn_[own()[k]] = k;
+    }
+}
+
+
+void Foam::grainShare::list()
+{
+    labelList sizes(Pstream::nProcs(), 0);
 
     for (const label rank : owners_)
     {

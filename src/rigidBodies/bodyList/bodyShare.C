@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyShare.H"
+#include "labelPair.H"
+
+namespace
+{
+    //- How often in a row they are spread in vain before they stay together
+    const Foam::label maxInVain = 2;
+}
+
+
+Foam::bodyShare::bodyShare(bodyList& bodies)
+:
+    bodies_(bodies),
+    spread_(false),
+    nAll_(0),
+    way_(GREAT),
+    nSteps_(0),
+    nInVain_(0),
+    owners_(bodies, -1),
+    others_(bodies)
+{}
+
+
+void Foam::bodyShare::unite()
+{
+    spread_ = false;
+
+    forAll(others_, i)
+    {
+        others_[i].clear();
+    }
+}
+
+
+bool Foam::bodyShare::inVain() const
+{
+    return nInVain_ >= maxInVain || (nSteps_ == 1 && nInVain_ + 1 >= maxInVain);
+}
+
+
+void Foam::bodyShare::spread(const label nAll)
+{
+    nInVain_ = nSteps_ == 1 ? nInVain_ + 1 : 0;
+    nSteps_ = 1;
+    spread_ = true;
+    nAll_ = nAll;
+}
+
+
+void Foam::bodyShare::set
+(
+    const label bodyi,
+    const label owner,
+    const labelUList& others
+)
+{
+    owners_[bodyi] = owner;
+    others_[bodyi] = others;
+}
+
+
+void Foam::bodyShare::readState(const dictionary& dict)
+{
+    const labelPair before
+    (
+        dict.lookupOrDefault<labelPair>("spread", labelPair(0, 0))
+    );
+
+    nSteps_ = before.first();
+    nInVain_ = before.second();
+}
+
+
+void Foam::bodyShare::writeState(Ostream& os) const
+{
+    if (nSteps_ > 0)
+    {
+        os.writeEntry("spread", labelPair(nSteps_, nInVain_));
+    }
+}
+
+
+void Foam::bodyShare::connect()
+{
+    const label me = Pstream::myProcNo();
+    List<DynamicList<label>> sent(Pstream::nProcs()), received(sent);
+
+    forAll(owners_, i)
+    {
+        if (owners_[i] != me)
+        {
+            received[owners_[i]].append(i);
+            continue;
+        }
+        for (const label rank : others_[i])
+        {
+            sent[rank].append(i);
+        }
+    }
+
+    auto flatten = [](const List<DynamicList<label>>& lists, labelList& start)
+    {
+        DynamicList<label> all;
+
+        start = labelList(1, label(0));
+        for (const DynamicList<label>& list : lists)
+        {
+            all.append(list);
+            start.append(all.size());
+        }
+
+        return labelList(all);
+    };
+
+    sent_ = flatten(sent, sentStart_);
+    received_ = flatten(received, receivedStart_);
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyHandover.H"
+#include "bodyPacket.H"
+#include "profiling.H"
+#include <algorithm>
+
+namespace
+{
+
+//- Bodies per rank from which on they are spread
+const Foam::label fewest = Foam::grainShare::fewest;
+
+} // End anonymous namespace
+
+
+Foam::bodyHandover::bodyHandover
+(
+    bodyList& bodies,
+    bodyCellSizes& h,
+    const grainKernels& kernels,
+    const cellSearch& search,
+    const periodicity& periods,
+    const bool may
+)
+:
+    bodies_(bodies),
+    share_(bodies.share()),
+    h_(h),
+    kernels_(kernels),
+    search_(search),
+    periods_(periods),
+    bounds_(search.mesh()),
+    may_(may),
+    reported_(false)
+{}
+
+
+bool Foam::bodyHandover::allCan() const
+{
+    for (const immersedBody& body : bodies_)
+    {
+        if (body.resolved() || !bodyPacket::suffices(body))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+void Foam::bodyHandover::findKinds()
+{
+    kinds_.clear();
+
+    for (const immersedBody& body : bodies_)
+    {
+        const auto& kind = body.sharedKind();
+
+        // Those of one entry follow each other
+        if (kinds_.empty() || kinds_.back() != kind)
+        {
+            if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end())
+            {
+                kinds_.push_back(kind);
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::bodyHandover::maxRadius() const
+{
+    scalar most = 0;
+
+    for (const auto& kind : kinds_)
+    {
+        most = max(most, kind->shape().boundingRadius());
+    }
+
+    return most;
+}
+
+
+void Foam::bodyHandover::setWay(const scalar dt)
+{
+    // One that is hit may go as far as the fastest, and contact looks as far as
+    // a radius
+    const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
+
+    share_.setWay(maxRadius() + 2*dt*speed);
+}
+
+
+Foam::labelList Foam::bodyHandover::holders
+(
+    const label bodyi,
+    const point& x,
+    const label owner
+) const
+{
+    // Centres of a rank's own bodies are within half a cell from those of cells
+    const immersedBody& body = bodies_[bodyi];
+    const scalar touching =
+        body.shape().boundingRadius() + maxRadius() + 2*share_.way()
+      + search_.hMax();
+    const scalar reach = max
+    (
+        kernels_.radius(body, h_[bodyi]) + share_.way(),
+        touching
+    );
+
+    labelList ranks(bounds_.reached(x, reach, periods_));
+
+    if (!ranks.found(owner))
+    {
+        ranks.append(owner);
+        Foam::sort(ranks);
+    }
+
+    return ranks;
+}
+
+
+void Foam::bodyHandover::beginStep(const scalar dt)
+{
+    if (share_.spread())
+    {
+        share_.countStep();
+        return;
+    }
+    if
+    (
+        !may_ || !Pstream::parRun()
+     || bodies_.size() < fewest*Pstream::nProcs() || !allCan()
+     || share_.inVain()
+    )
+    {
+        return;
+    }
+
+    bodies_.sort();
+    findKinds();
+
+    const labelList owners(findOwners());
+
+    share_.spread(bodies_.size());
+    setWay(dt);
+    forAll(owners, i)
+    {
+        const point& x = bodies_[i].state().position;
+
+        note(i, owners[i], holders(i, x, owners[i]));
+    }
+    drop();
+
+    if (!reported_)
+    {
+        Info<< "Bodies are spread over the ranks: " << share_.nAll()
+            << ", at most "
+            << returnReduce(bodies_.size(), maxOp<label>()) << " on one"
+            << endl;
+        reported_ = true;
+    }
+}
+
+
+void Foam::bodyHandover::note
+(
+    const label bodyi,
+    const label owner,
+    const labelUList& holders
+)
+{
+    const label me = Pstream::myProcNo();
+    DynamicList<label> others(holders.size());
+
+    for (const label rank : holders)
+    {
+        if (rank != me)
+        {
+            others.append(rank);
+        }
+    }
+
+    share_.set(bodyi, owner, others);
+
+    if (others.size() == holders.size())
+    {
+        left_.insert(bodies_[bodyi].number());
+    }
+    else
+    {
+        left_.erase(bodies_[bodyi].number());
+    }
+}
+
+
+bool Foam::bodyHandover::extend(const scalar wayWanted)
+{
+    if (!share_.spread())
+    {
+        return false;
+    }
+
+    pointField x(bodies_.size());
+    scalar way = wayWanted;
+
+    forAll(x, i)
+    {
+        const bodyMotion& motion = bodies_[i].motion();
+
+        x[i] = motion.old().position;
+        way = max(way, mag(motion.now().position - x[i]));
+    }
+    way = share_.largest(way);
+
+    if (way <= share_.way())
+    {
+        return false;
+    }
+
+    // Not again at once
+    share_.setWay(1.5*way);
+    tell(labelList(share_.owners()), x);
+    drop();
+
+    return true;
+}
+
+
+void Foam::bodyHandover::hand(const scalar dt)
+{
+    if (!share_.spread())
+    {
+        return;
+    }
+
+    addProfiling(hand, "immersedBodies::handOver");
+
+    pointField x(bodies_.size());
+
+    forAll(x, i)
+    {
+        x[i] = bodies_[i].state().position;
+    }
+
+    setWay(dt);
+    tell(newOwners(), x);
+}
+
+
+void Foam::bodyHandover::drop()
+{
+    if (!share_.spread())
+    {
+        return;
+    }
+
+    DynamicList<label> kept(bodies_.size());
+
+    forAll(bodies_, i)
+    {
+        if (!left_.found(bodies_[i].number()))
+        {
+            kept.append(i);
+        }
+    }
+    left_.clear();
+
+    if (kept.size() < bodies_.size())
+    {
+        bodies_.reorder(kept);
+    }
+    share_.connect();
+}

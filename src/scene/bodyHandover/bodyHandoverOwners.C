@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyHandover.H"
+
+Foam::labelList Foam::bodyHandover::findOwners() const
+{
+    DynamicList<label> mine;
+
+    forAll(bodies_, i)
+    {
+        if (search_.findCell(bodies_[i].state().position) >= 0)
+        {
+            mine.append(i);
+        }
+    }
+
+    labelList start;
+    const List<label> found(gatherAll<label>(mine, start));
+
+    // One on a face may have several, one that is leaving has none
+    labelList owners(bodies_.size(), label(0));
+
+    for (label rank = Pstream::nProcs() - 1; rank >= 0; --rank)
+    {
+        for (label k = start[rank]; k < start[rank + 1]; ++k)
+        {
+            owners[found[k]] = rank;
+        }
+    }
+
+    return owners;
+}
+
+
+bool Foam::bodyHandover::isHere(const label bodyi) const
+{
+    const point& x = bodies_[bodyi].state().position;
+    const label last = kernels_[bodyi].centreCell();
+
+    return
+        (last >= 0 && search_.contains(last, x)) || search_.findCell(x) >= 0;
+}
+
+
+Foam::labelList Foam::bodyHandover::newOwners() const
+{
+    const label me = Pstream::myProcNo();
+    List<DynamicList<label>> claims(Pstream::nProcs());
+    labelList owners(bodies_.size(), label(-1));
+
+    forAll(bodies_, i)
+    {
+        const bool here = isHere(i);
+
+        if (share_.mine(i))
+        {
+            // Without claims it stays where it is
+            owners[i] = here ? me : Pstream::nProcs();
+        }
+        else if (here)
+        {
+            claims[share_.owner(i)].append(bodies_[i].number());
+        }
+    }
+
+    const List<List<label>> received(exchangeLists(claims));
+
+    forAll(received, rank)
+    {
+        for (const label number : received[rank])
+        {
+            label& owner = owners[bodies_.find(number)];
+
+            owner = owner == me ? me : min(owner, rank);
+        }
+    }
+    for (label& owner : owners)
+    {
+        owner = owner == Pstream::nProcs() ? me : owner;
+    }
+
+    return owners;
+}
