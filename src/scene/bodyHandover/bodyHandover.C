@@ -11,6 +11,11 @@ namespace
 //- Bodies per rank from which on they are spread
 const Foam::label fewest = Foam::grainShare::fewest;
 
+//- Part of all bodies that a rank holds then, at most, and by how much the part
+//  that it moves may exceed that of equal shares: what it would do for those of
+//  others, over what it does for its own
+const Foam::scalar mostHeld = 0.75, unequal = 0.1;
+
 } // End anonymous namespace
 
 
@@ -32,6 +37,7 @@ Foam::bodyHandover::bodyHandover
     periods_(periods),
     bounds_(search.mesh()),
     may_(may),
+    look_(true),
     reported_(false)
 {}
 
@@ -123,6 +129,23 @@ Foam::labelList Foam::bodyHandover::holders
 }
 
 
+bool Foam::bodyHandover::pays() const
+{
+    const scalar n = bodies_.size();
+    const scalar held = (n - left_.size())/n;
+    scalar own = 0;
+
+    for (const label owner : share_.owners())
+    {
+        own += (owner == Pstream::myProcNo())/n;
+    }
+
+    return
+        returnReduce(held, maxOp<scalar>()) < mostHeld
+     && returnReduce(own, maxOp<scalar>()) < 1.0/Pstream::nProcs() + unequal;
+}
+
+
 void Foam::bodyHandover::beginStep(const scalar dt)
 {
     if (share_.spread())
@@ -132,7 +155,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
     }
     if
     (
-        !may_ || !Pstream::parRun()
+        !may_ || !look_ || !Pstream::parRun()
      || bodies_.size() < fewest*Pstream::nProcs() || !allCan()
      || share_.inVain()
     )
@@ -140,12 +163,12 @@ void Foam::bodyHandover::beginStep(const scalar dt)
         return;
     }
 
+    look_ = false;
     bodies_.sort();
     findKinds();
 
     const labelList owners(findOwners());
 
-    share_.spread(bodies_.size());
     setWay(dt);
     forAll(owners, i)
     {
@@ -153,6 +176,12 @@ void Foam::bodyHandover::beginStep(const scalar dt)
 
         note(i, owners[i], holders(i, x, owners[i]));
     }
+    if (!pays())
+    {
+        left_.clear();
+        return;
+    }
+    share_.spread(bodies_.size());
     drop();
 
     if (!reported_)

@@ -211,6 +211,7 @@ bool Foam::bodyHandover::unite()
     }
     insert(made);
     share_.unite();
+    look_ = true;
 
     return true;
 }

@@ -146,7 +146,7 @@ bool Foam::immersedBodies::endStep()
     // What is written is the state of all
     if (mesh_.time().writeTime())
     {
-        handover_->unite();
+        handover_->prepareWrite();
     }
     handover_->hand(mesh_.time().deltaTValue());
     contacts_->endStep();
