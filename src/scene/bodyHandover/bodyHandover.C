@@ -179,6 +179,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
     if (!pays())
     {
         left_.clear();
+        share_.unite();
         return;
     }
     share_.spread(bodies_.size());
