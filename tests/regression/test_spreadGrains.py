@@ -3,9 +3,11 @@
 number of ranks, while they hit each other and go from rank to rank."""
 
 import numpy as np
+import pytest
 
 from bodyCase import BodyCase
 from denseBox import column, grains, write_positions
+from foamCase import FoamError
 from test_sharedGrains import motions
 
 DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 26
@@ -17,7 +19,8 @@ PARTS = {2: (1, 1, 2), 4: (1, 1, 4)}
 
 
 def rain(
-    folder, name="rain", speed=8, gravity=9.81, steps=8, height=HEIGHT
+    folder, name="rain", speed=8, gravity=9.81, steps=8, height=HEIGHT,
+    contact="",
 ):
     """2200 grains in a periodic column of air: half of them fall among the
     others, which rise."""
@@ -41,7 +44,7 @@ def rain(
                 ("falling", 1000, f"0.3 0.1 -{speed}"),
             )
         ),
-        f"contact {{ type softSphere; {CONTACT} }} coupling {{ {DENSE} }}",
+        f"contact {{ type softSphere; {contact or CONTACT} }} coupling {{ {DENSE} }}",
     )
     case.gravity(0, 0, -gravity)
     case.controls(
@@ -119,3 +122,27 @@ def test_restart_is_exact(tmp_path):
             ).read_bytes() for case in (at_once, parts)
         )
         assert a == b, name
+
+
+@pytest.mark.parametrize("speed, contact, message", [
+    (12, "", "a body has left the mesh"),
+    (8, "largestOverlap 0.01;", "bodies overlap: "),
+])
+def test_a_run_stops(speed, contact, message, tmp_path):
+    """On all ranks, with a message and the state of all grains."""
+    case = rain(tmp_path, speed=speed, steps=16, contact=contact)
+    case.decompose(4, PARTS[4])
+    with pytest.raises(FoamError):
+        case.solve(4)
+
+    log = (case.path/"log.foamRun").read_text()
+    assert "Bodies are spread over the ranks: 2200" in log
+    assert message in log
+    assert "The state has been written" in log
+
+    time = case.latest_time("processor3")
+    assert float(time) > 0
+    state = (
+        case.path/"processor3"/time/"uniform/immersedBodies"
+    ).read_text()
+    assert state.count("number ") == 2200

@@ -155,9 +155,27 @@ TEST_CASE("Regions follow the bodies that are resolved", "[bodyRegions]")
     }
     SECTION("one that has been taken out with its image")
     {
-        regions.remove(0);
+        labelList order(bodies.size() - 1);
+
+        forAll(order, i)
+        {
+            order[i] = i + 1;
+        }
+        regions.renumber(order);
         CHECK(regions.all().size() == nBefore - 2);
         CHECK(&regions[20] == kept);
+        CHECK(regions[20].body() == 20);
+        return;
+    }
+    SECTION("they have changed places")
+    {
+        labelList order(identity(bodies.size()));
+
+        Swap(order[21], order[3]);
+        regions.renumber(order);
+        CHECK(regions.all().size() == nBefore);
+        CHECK(&regions[3] == kept);
+        CHECK(regions[3].body() == 3);
         return;
     }
 

@@ -129,6 +129,9 @@ void Foam::historyContact<Record>::endStep()
             numbers.append(r.bodies);
         }
         packed = movers_.sendToOwners(numbers, packed);
+
+        // Places of bodies in their list are others from now on
+        movers_.pairs().clear();
     }
     else if (movers_.shared())
     {

@@ -54,7 +54,13 @@ Foam::functionObjects::bodyFunctionObject::bodiesOf
 {
     immersedBodies& bodies = sceneOf(mesh, name);
 
-    bodies.keepTogether();
+    if (bodies.keepTogether())
+    {
+        WarningInFunction
+            << "Function object '" << name << "' has been added while bodies"
+            << " were spread over the ranks: it sees no contact between them"
+            << " before the next time step" << nl << endl;
+    }
 
     return bodies;
 }

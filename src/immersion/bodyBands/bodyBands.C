@@ -57,8 +57,13 @@ void Foam::bodyBands::added()
 
 void Foam::bodyBands::removed(const label bodyi)
 {
-    selectAll();
-    regions_.remove(bodyi);
+    labelList order(identity(bodies().size()));
+
+    for (label i = bodyi; i < order.size(); ++i)
+    {
+        order[i] = i + 1;
+    }
+    reordered(order);
 }
 
 

@@ -104,26 +104,6 @@ bool Foam::bodyRegions::same
 }
 
 
-void Foam::bodyRegions::remove(const label bodyi)
-{
-    PtrList<bodyRegion> others(regions_.size());
-    label n = 0;
-
-    forAll(regions_, i)
-    {
-        if (regions_[i].body() != bodyi)
-        {
-            others.set(n, regions_.release(i));
-            others[n++].moveUp(bodyi);
-        }
-    }
-
-    others.resize(n);
-    regions_.transfer(others);
-    index();
-}
-
-
 void Foam::bodyRegions::renumber(const labelUList& order)
 {
     PtrList<bodyRegion> kept(regions_.size());

@@ -3,7 +3,6 @@
 #include "bodyHandover.H"
 #include "bodyPacket.H"
 #include "profiling.H"
-#include <algorithm>
 
 namespace
 {
@@ -59,18 +58,15 @@ bool Foam::bodyHandover::allCan() const
 void Foam::bodyHandover::findKinds()
 {
     kinds_.clear();
+    placeOfKind_.clear();
 
     for (const immersedBody& body : bodies_)
     {
         const auto& kind = body.sharedKind();
 
-        // Those of one entry follow each other
-        if (kinds_.empty() || kinds_.back() != kind)
+        if (placeOfKind_.emplace(kind.get(), kinds_.size()).second)
         {
-            if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end())
-            {
-                kinds_.push_back(kind);
-            }
+            kinds_.push_back(kind);
         }
     }
 }
@@ -106,14 +102,15 @@ Foam::labelList Foam::bodyHandover::holders
     const label owner
 ) const
 {
-    // Centres of a rank's own bodies are within half a cell from those of cells
+    // Centres of a rank's own bodies are within half a cell from those of
+    // cells; kernels grow where cells do
     const immersedBody& body = bodies_[bodyi];
     const scalar touching =
         body.shape().boundingRadius() + maxRadius() + 2*share_.way()
       + search_.hMax();
     const scalar reach = max
     (
-        kernels_.radius(body, h_[bodyi]) + share_.way(),
+        kernels_.radius(body, search_.hMax()) + share_.way(),
         touching
     );
 

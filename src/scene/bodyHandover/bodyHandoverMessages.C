@@ -4,16 +4,13 @@
 #include "bodyPacket.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
-#include <algorithm>
 
 void Foam::bodyHandover::sendBody(const label bodyi, Ostream& os) const
 {
     const immersedBody& body = bodies_[bodyi];
     const bodyPacket packet(body);
-    const auto kind =
-        std::find(kinds_.begin(), kinds_.end(), body.sharedKind());
 
-    os  << label(kind - kinds_.begin()) << body.name() << h_[bodyi];
+    os  << placeOfKind_.at(&body.kind()) << body.name() << h_[bodyi];
     os.write(reinterpret_cast<const char*>(&packet), sizeof(packet));
 }
 
@@ -129,13 +126,7 @@ void Foam::bodyHandover::hear
 
         one.body = receiveBody(from, one.h);
         one.owner = owner;
-        for (const label other : ranks)
-        {
-            if (other != Pstream::myProcNo())
-            {
-                one.others.append(other);
-            }
-        }
+        one.holders = ranks;
         made.push_back(std::move(one));
     }
 }
@@ -152,7 +143,7 @@ void Foam::bodyHandover::insert(std::vector<received>& made)
     {
         bodies_.append(std::move(one.body));
         h_.last() = one.h;
-        share_.set(bodies_.size() - 1, one.owner, one.others);
+        note(bodies_.size() - 1, one.owner, one.holders);
     }
     bodies_.sort();
 }
@@ -206,6 +197,7 @@ bool Foam::bodyHandover::unite()
 
             one.body = receiveBody(from, one.h);
             one.owner = rank;
+            one.holders = labelList(1, me);
             made.push_back(std::move(one));
         }
     }

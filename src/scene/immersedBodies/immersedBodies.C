@@ -270,20 +270,25 @@ bool Foam::immersedBodies::maySpread()
 }
 
 
-void Foam::immersedBodies::unite()
+bool Foam::immersedBodies::unite()
 {
-    if (handover_->unite())
+    const bool done = handover_->unite();
+
+    if (done)
     {
         // What is kept of contacts is that of all
         contacts_->endStep();
     }
+
+    return done;
 }
 
 
-void Foam::immersedBodies::keepTogether()
+bool Foam::immersedBodies::keepTogether()
 {
-    unite();
     handover_->forbid();
+
+    return unite();
 }
 
 

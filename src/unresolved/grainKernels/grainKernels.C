@@ -118,7 +118,9 @@ void Foam::grainKernels::sort(const PtrList<immersedBody>& bodies)
     }
 
     ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
-    nUnresolved_ = countUnresolved();
+
+    // Where bodies are spread over the ranks, none is resolved
+    nUnresolved_ = held_.nAll() - (bodies.size() - unresolved.size());
 }
 
 

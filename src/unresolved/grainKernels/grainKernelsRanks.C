@@ -2,16 +2,6 @@
 
 #include "grainKernels.H"
 
-Foam::labelList Foam::grainKernels::others(const label bodyi) const
-{
-    const bodyKernel& kernel = kernels_[bodyi];
-
-    return held_.spread()
-      ? held_.others(bodyi)
-      : bounds_.others(kernel.centre(), kernel.radius(), periods_);
-}
-
-
 Foam::DynamicList<Foam::grainKernels::found>
 Foam::grainKernels::findHere() const
 {
@@ -152,7 +142,11 @@ void Foam::grainKernels::normalise()
         const weighed one{held_.key(i), kernel.sum(mesh_.V())};
 
         send[me].append(one);
-        for (const label rank : others(i))
+        for
+        (
+            const label rank
+          : bounds_.others(kernel.centre(), kernel.radius(), periods_)
+        )
         {
             send[rank].append(one);
         }

@@ -26,12 +26,6 @@ void Foam::grainShare::divide(const bodyShare& spread)
     owners_ = spread.owners();
     spread_ = &spread;
     list();
-
-    placeOfOwn_.setSize(owners_.size());
-    forAll(own(), k)
-    {
-        placeOfOwn_[own()[k]] = k;
-    }
 }
 
 
