@@ -10,7 +10,7 @@ from denseBox import column, grains, write_positions
 from foamCase import FoamError
 from test_sharedGrains import motions
 
-DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 26
+DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 34
 ACROSS, LAYERS = 10, 22
 STEP = 1e-4
 DENSE = "type unresolved; voidFraction yes; dragModel { type Gidaspow; }"
@@ -26,7 +26,7 @@ def rain(
     others, which rise."""
     case = column(folder, name, WIDTH, height, CELL, 0.4, 1.5e-5)
     across = (np.arange(ACROSS) + 0.5)*WIDTH*CELL/ACROSS
-    along = (np.arange(LAYERS) + 4)*1.9e-3
+    along = (np.arange(LAYERS) + 3)*2.6e-3
     places = np.array(
         [(x, y, z) for z in along for y in across for x in across]
     )
@@ -107,12 +107,12 @@ def test_grains_that_go_further_than_expected(tmp_path):
 
 def test_restart_is_exact(tmp_path):
     at_once = rain(tmp_path)
-    at_once.decompose(2, PARTS[2])
+    at_once.decompose(4, PARTS[4])
     parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve(2)
+    at_once.solve(4)
     for end in (4*STEP, 8*STEP):
         parts.controls(endTime=end)
-        log = parts.solve(2)
+        log = parts.solve(4)
         assert "Bodies are spread" in log
 
     for name in ("U", "p", "uniform/immersedBodies"):

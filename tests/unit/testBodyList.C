@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyTools.H"
+#include "bodyShare.H"
 #include "perBody.H"
 
 using namespace Foam;
@@ -111,13 +112,23 @@ TEST_CASE("What belongs to bodies follows them in and out", "[bodyList]")
 
         CHECK(inStep(bodies, ratios));
         CHECK(ratios == scalarList({2, 4, 1, 3}));
+
+        bodyShare& share = bodies.share();
+
+        CHECK(share.find(2) == 2);
+        share.spread(4);
         forAll(bodies, i)
         {
-            CHECK(bodies.find(bodies[i].number()) == i);
+            share.set(i, 0, labelList());
         }
-        CHECK(bodies.find(1) == -1);
-        CHECK(bodies.find(5) == -1);
-        CHECK(bodies.find(10) == -1);
+        forAll(bodies, i)
+        {
+            CHECK(share.key(i) == bodies[i].number());
+            CHECK(share.find(bodies[i].number()) == i);
+        }
+        CHECK(share.find(1) == -1);
+        CHECK(share.find(5) == -1);
+        CHECK(share.find(10) == -1);
     }
 
     SECTION("all are exchanged")

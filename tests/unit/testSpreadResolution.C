@@ -13,7 +13,7 @@ TEST_CASE("All ranks have the bodies once one is resolved", "[bodies]")
 {
     // Grains in cells that are finer at the top, where the uppermost are
     // to be resolved
-    const label across = 10, deep = 12*Pstream::nProcs();
+    const label across = 10, deep = 16*Pstream::nProcs();
     const scalar pitch = 4.2, width = across*pitch;
     const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
     testTools::boxMesh box;

@@ -110,28 +110,6 @@ Foam::label Foam::bodyList::nUnresolved() const
 }
 
 
-Foam::label Foam::bodyList::find(const label number) const
-{
-    label first = 0, end = size();
-
-    while (first < end)
-    {
-        const label middle = (first + end)/2;
-
-        if (operator[](middle).number() < number)
-        {
-            first = middle + 1;
-        }
-        else
-        {
-            end = middle;
-        }
-    }
-
-    return first < size() && operator[](first).number() == number ? first : -1;
-}
-
-
 Foam::scalar Foam::bodyList::maxSpeed() const
 {
     scalar speed = 0;

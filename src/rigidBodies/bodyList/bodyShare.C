@@ -2,6 +2,7 @@
 
 #include "bodyShare.H"
 #include "labelPair.H"
+#include <algorithm>
 
 namespace
 {
@@ -18,9 +19,23 @@ Foam::bodyShare::bodyShare(bodyList& bodies)
     way_(GREAT),
     nSteps_(0),
     nInVain_(0),
+    numbers_(bodies, -1),
     owners_(bodies, -1),
     others_(bodies)
 {}
+
+
+Foam::label Foam::bodyShare::find(const label key) const
+{
+    if (!spread_)
+    {
+        return key;
+    }
+
+    const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), key);
+
+    return at != numbers_.end() && *at == key ? at - numbers_.begin() : -1;
+}
 
 
 void Foam::bodyShare::unite()
@@ -56,6 +71,7 @@ void Foam::bodyShare::set
     const labelUList& others
 )
 {
+    numbers_[bodyi] = bodies_[bodyi].number();
     owners_[bodyi] = owner;
     others_[bodyi] = others;
 }

@@ -10,10 +10,11 @@ namespace
 //- Bodies per rank from which on they are spread
 const Foam::label fewest = Foam::grainShare::fewest;
 
-//- Part of all bodies that a rank holds then, at most, and by how much the part
-//  that it moves may exceed that of equal shares: what it would do for those of
-//  others, over what it does for its own
-const Foam::scalar mostHeld = 0.75, unequal = 0.1;
+//- Part of all bodies that a rank holds then, at most: copies take as long as
+//  what all ranks do for all. And by how much the part that it moves may exceed
+//  that of equal shares: what it would do for those of others, over what it does
+//  for its own
+const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 
 } // End anonymous namespace
 

@@ -118,7 +118,7 @@ void Foam::bodyHandover::hear
 
         if (!isNew)
         {
-            note(bodies_.find(number), owner, ranks);
+            note(share_.find(number), owner, ranks);
             continue;
         }
 

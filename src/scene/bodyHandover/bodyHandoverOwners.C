@@ -69,7 +69,7 @@ Foam::labelList Foam::bodyHandover::newOwners() const
     {
         for (const label number : received[rank])
         {
-            label& owner = owners[bodies_.find(number)];
+            label& owner = owners[share_.find(number)];
 
             owner = owner == me ? me : min(owner, rank);
         }
