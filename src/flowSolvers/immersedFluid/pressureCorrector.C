@@ -71,6 +71,11 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     layers_.begin(layersLag());
     if (layers_.active())
     {
+        if (iteration_.first() && projection_.isNew())
+        {
+            // Once in a run, which has to begin as it would have gone on
+            solveProjection(tau, divPhi);
+        }
         correction_.complete(tau.value());
         layers_.correct
         (
@@ -83,7 +88,8 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
             p_
         );
     }
-    project(tau, layers_.active() ? divergence(phi_) : divPhi);
+    solveProjection(tau, layers_.active() ? divergence(phi_) : divPhi);
+    projection_.correctFlux(tau, phi_);
     updatePressure(divPhi);
     correction_.find(tau.value(), mayWait());
     if (layers_.active())
@@ -166,7 +172,7 @@ void Foam::flowSolvers::immersedFluid::predictBodyFlux()
 }
 
 
-void Foam::flowSolvers::immersedFluid::project
+void Foam::flowSolvers::immersedFluid::solveProjection
 (
     const dimensionedScalar& tau,
     const scalarField& divPhi
@@ -186,7 +192,6 @@ void Foam::flowSolvers::immersedFluid::project
             pRefValue - getRefCellValue(p_, pRefCell)
         );
     }
-    projection_.correctFlux(tau, phi_);
 }
 
 
