@@ -10,10 +10,13 @@ from periodicTube import FLOW_RATE
 
 
 def random_centres(number, side, gap, seed, clear=0):
-    """Places in a periodic box, with a smallest gap between surfaces; clear:
-    smallest distance of centres from the two sides across y."""
+    """Places in a periodic box, with a smallest gap between surfaces; side: of
+    a cube, or three; clear: smallest distance of centres from the two sides
+    across y."""
     random = np.random.default_rng(seed)
-    low, high = np.array([[0, clear, 0], [side, side - clear, side]])
+    side = np.broadcast_to(side, 3)
+    low = np.array([0, clear, 0])
+    high = side - low
     found = np.empty((number, 3))
     n = 0
     for _ in range(10_000_000):
@@ -29,11 +32,13 @@ def random_centres(number, side, gap, seed, clear=0):
 
 
 def settling_box(
-    folder, name, cells, side, centres, nu, gravity, ratio, entries, motion=""
+    folder, name, cells, side, centres, nu, gravity, ratio, entries, motion="",
+    row=1,
 ):
     """The case, at rest. cells: per side; nu and gravity in units of the
-    caller; entries: before the bodies; motion: more of the spheres."""
-    case = periodic_case(folder, name, cells, 3, 0, True, length=side)
+    caller; entries: before the bodies; motion: more of the spheres; row: so
+    many boxes along x."""
+    case = periodic_case(folder, name, cells, 3, 0, True, length=side, row=row)
     case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
     (case.path/"constant/fvOptions").write_text(FLOW_RATE.format(speed=0))
     set_box(case)

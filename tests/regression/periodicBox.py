@@ -67,16 +67,17 @@ def set_fields(case, gradient):
 
 
 def periodic_case(
-    folder, name, cells, dims, gradient, by_force=False, length=1
+    folder, name, cells, dims, gradient, by_force=False, length=1, row=1
 ):
     """A cube, or in 2D a square, of this length and cells^dims cells, with a
     flow that a mean pressure gradient over density [m/s2] drives, by_force: a
-    body force of that size."""
+    body force of that size. row: so many of them along x."""
     case = BodyCase("tube", folder, name)
     side = uniform(0, length, cells)
     names = list(SIDES)[:2*dims]
     boxMesh.write(
-        case, side, side, side if dims == 3 else None,
+        case, uniform(0, row*length, row*cells), side,
+        side if dims == 3 else None,
         {name: SIDES[name] for name in names},
     )
     for one, other in zip(names[::2] + names[1::2], names[1::2] + names[::2]):

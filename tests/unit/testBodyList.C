@@ -2,7 +2,7 @@
 
 #include "bodyTools.H"
 #include "bodyShare.H"
-#include "perBody.H"
+#include "carriedPerBody.H"
 
 using namespace Foam;
 
@@ -159,4 +159,29 @@ TEST_CASE("What belongs to bodies follows them in and out", "[bodyList]")
         CHECK(inStep(bodies, ratios));
         CHECK(ratios[2] == 3);
     }
+}
+
+
+TEST_CASE("Lists send what they have of a body along with it", "[bodyList]")
+{
+    bodyList here(makeBodies(3)), there(makeBodies(2));
+
+    // The same lists in the same order
+    carriedPerBody<scalar> a(here, -1), b(there, -1);
+    perBody<scalar> stays(here, 4), isNew(there, 4);
+    carriedPerBody<vector> va(here, Zero), vb(there, Zero);
+
+    a[1] = 0.1;
+    va[1] = vector(1, 2, 3);
+    stays[1] = 5;
+
+    const List<char> packed(here.pack(1));
+
+    there.append(here.take(1), packed);
+
+    REQUIRE(there.size() == 3);
+    CHECK(there[2].densityRatio() == 2);
+    CHECK(b == scalarList({-1, -1, 0.1}));
+    CHECK(vb[2] == vector(1, 2, 3));
+    CHECK(isNew[2] == 4);
 }

@@ -24,7 +24,7 @@ class towedSphere
     const std::unique_ptr<fvMesh> mesh_;
     const cellSearch search_;
     const cellNeighbours neighbours_;
-    PtrList<immersedBody> bodies_;
+    bodyList bodies_;
     PtrList<bodyRegion> regions_;
 
     static std::unique_ptr<fvMesh> makeMesh(const Time& time)
@@ -61,7 +61,7 @@ public:
         mesh_(makeMesh(time_)),
         search_(*mesh_, bodyTools::space),
         neighbours_(*mesh_),
-        bodies_(1),
+        bodies_(PtrList<immersedBody>()),
         regions_(1),
         frame(*mesh_, neighbours_),
         U
@@ -71,12 +71,12 @@ public:
             dimensionedVector(dimVelocity, Zero)
         )
     {
-        bodies_.set(0, new immersedBody(bodyTools::makeBody
+        bodies_.append(autoPtr<immersedBody>(new immersedBody(bodyTools::makeBody
         (
             "densityRatio 1; velocity (" + name(move.x()) + ' '
           + name(move.y()) + ' ' + name(move.z()) + ");",
             bodyTools::space, 1, point(1.1, 0.97, 1.03)
-        )));
+        ))));
         regions_.set(0, new bodyRegion(0));
 
         // Time steps of one second

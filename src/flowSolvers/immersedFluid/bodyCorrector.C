@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "bodyContacts.H"
+#include "bodyShare.H"
 
 namespace
 {
@@ -64,7 +65,7 @@ bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 {
     return !bodies_.moving()
      || bodies_.list().atRest()
-     || !bodies_.list().nResolved()
+     || !bodies_.list().anyResolved()
      || bodies_.steady().active();
 }
 
@@ -78,17 +79,16 @@ bool Foam::flowSolvers::immersedFluid::crowdFollows() const
 
     // What the first iteration leaves in the loads is smoothed by the mass of
     // bodies that are free, and of no others
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
+    bool others = false;
 
-        if (body.resolved() && !body.isFree() && body.maxSpeed() > 0)
-        {
-            return false;
-        }
+    for (const immersedBody& body : bodies_.list())
+    {
+        others =
+            others
+         || (body.resolved() && !body.isFree() && body.maxSpeed() > 0);
     }
 
-    return true;
+    return !bodies_.list().share().any(others);
 }
 
 
@@ -119,7 +119,9 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
 
     if (bodies_.crowd().active())
     {
-        return bodies_.crowd().goesOn() ? alone : 0;
+        // From rest one iteration is enough without, but not around bodies that
+        // are moved
+        return bodies_.crowd().goesOn() || !crowdFollows() ? alone : 0;
     }
 
     // Velocities that converge in two iterations do so to a smaller error
@@ -176,7 +178,10 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     };
     const scalar ofBodies = bodies_.resolved().correct
     (
-        solved, free && iteration_.first(), addedMass()
+        solved,
+        free && iteration_.first(),
+        addedMass(),
+        !free || iteration_.loadsCount()
     );
     iteration_.noteVelocities(ofBodies);
 

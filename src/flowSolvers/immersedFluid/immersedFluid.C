@@ -157,6 +157,8 @@ void Foam::flowSolvers::immersedFluid::addBodyWalls()
         return;
     }
 
+    // Distances are those from any body
+    bodies_.keepTogether();
     bodyWalls_ = new fv::bodyWalls
     (
         bodies_,

@@ -111,7 +111,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
     // first step of a run has one previous level only
     const bool can =
         bodies_.moving()
-     && bodies_.list().nResolved()
+     && bodies_.list().anyResolved()
      && !bodies_.window().comoving()
      && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
@@ -184,7 +184,7 @@ void Foam::flowSolvers::immersedFluid::correctUnresolved
     addForce(moveUnresolved(ddt), ddt);
 
     // In bands the equation is to be solved from where it is solved everywhere
-    if (bodies_.list().nResolved() && bandsCanSuffice())
+    if (bodies_.list().anyResolved() && bandsCanSuffice())
     {
         momentum_.solve(correction_.gradP(), false);
     }

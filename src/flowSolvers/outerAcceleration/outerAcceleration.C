@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outerAcceleration.H"
+#include "bodyShare.H"
 #include "freeVelocities.H"
 
 namespace
@@ -29,6 +30,7 @@ Foam::outerAcceleration::outerAcceleration(const fvMesh& mesh)
 :
     mesh_(mesh),
     fixedPoint_(depth),
+    nFree_(0),
     first_(true),
     change_(0),
     active_(false),
@@ -87,14 +89,21 @@ void Foam::outerAcceleration::apply
         cells_ = bodies.region().cells();
     }
 
+    const bodyShare& share = bodies.list().share();
+    const labelList free(freeVelocities::bodies(bodies.list()));
+
+    // A rank may have been given more of them within the time step
+    if (share.any(free.size() != nFree_))
+    {
+        fixedPoint_.clear();
+    }
+    nFree_ = free.size();
+
     vectorField velocities(freeVelocities::get(bodies.list()));
     const vectorField weights(freeVelocities::weights(bodies.list()));
     const label nBodies = 3*velocities.size();
     scalarField result(mesh_.nCells() + nBodies);
-    scalarField residual
-    (
-        3*cells_.size() + (Pstream::master() ? nBodies : 0)
-    );
+    scalarField residual(3*cells_.size() + nBodies);
     label at = 0;
 
     for (const label celli : cells_)
@@ -113,12 +122,13 @@ void Foam::outerAcceleration::apply
         {
             result[mesh_.nCells() + 3*i + k] = velocities[i][k];
 
-            if (Pstream::master())
+            if (share.counts(free[i/2]))
             {
                 residual[at++] = weights[i][k]*changes[i][k];
             }
         }
     }
+    residual.resize(at);
     SubField<scalar>(result, mesh_.nCells()) = p.primitiveField();
 
     fixedPoint_.apply(residual, result);
@@ -146,5 +156,6 @@ void Foam::outerAcceleration::apply
            /weights[i - i % 2].x()
         );
     }
+    jump_ = share.largest(jump_);
     bodies.setVelocities(velocities);
 }

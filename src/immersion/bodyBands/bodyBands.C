@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyBands.H"
+#include "bodyShare.H"
 #include <algorithm>
 
 namespace
@@ -202,8 +203,10 @@ Foam::bodyRegion::change Foam::bodyBands::update
         selectAll();
     }
 
-    // By the bodies alone, which are the same on all processors
-    same_ = again && !changed && !selection_.over() && stillValid(bodies);
+    // The same on all processors: by the bodies alone
+    same_ =
+        again && !changed && !selection_.over()
+     && this->bodies().share().all(stillValid(bodies));
 
     if (selection_.few())
     {

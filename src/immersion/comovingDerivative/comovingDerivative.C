@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "comovingDerivative.H"
+#include "bodyShare.H"
 #include "LeesEdwardsPolyPatch.H"
 #include "surfaceDisplacement.H"
 
@@ -89,14 +90,13 @@ Foam::scalar Foam::comovingDerivative::partOf
 void Foam::comovingDerivative::findMoving
 (
     const PtrList<bodyRegion>& regions,
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     const periodicity& periods,
     const UList<scalar>& h,
     const scalar nu
 )
 {
-    active_ = false;
-    components_.clear();
+    bool moving[3] = {false, false, false};
 
     // The same on all processors, whatever images these have
     forAll(bodies, bodyi)
@@ -116,17 +116,19 @@ void Foam::comovingDerivative::findMoving
 
         for (direction k = 0; k < 3 && moves; ++k)
         {
-            if
-            (
-                far[k] > still*body.shape().width()
-             && !components_.found(k)
-            )
-            {
-                components_.append(k);
-                active_ = true;
-            }
+            moving[k] = moving[k] || far[k] > still*body.shape().width();
         }
     }
+
+    components_.clear();
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (bodies.share().any(moving[k]))
+        {
+            components_.append(k);
+        }
+    }
+    active_ = !components_.empty();
 
     parts_.resize(regions.size());
 
@@ -145,7 +147,7 @@ void Foam::comovingDerivative::findMoving
 void Foam::comovingDerivative::update
 (
     const PtrList<bodyRegion>& regions,
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     const cellSearch& search,
     const UList<scalar>& h,
     const scalar bandWidth,

@@ -42,45 +42,53 @@ Foam::bodyList::~bodyList()
 {}
 
 
-bool Foam::bodyList::anyFree() const
+template<class Condition>
+bool Foam::bodyList::any(const Condition& condition) const
 {
+    bool found = false;
+
     for (const immersedBody& body : *this)
     {
-        if (body.isFree() && body.resolved())
-        {
-            return true;
-        }
+        found = found || condition(body);
     }
 
-    return false;
+    return share_->any(found);
+}
+
+
+bool Foam::bodyList::anyResolved() const
+{
+    return any([](const immersedBody& body) { return body.resolved(); });
+}
+
+
+bool Foam::bodyList::anyFree() const
+{
+    return any
+    (
+        [](const immersedBody& body)
+        {
+            return body.resolved() && body.isFree();
+        }
+    );
 }
 
 
 bool Foam::bodyList::anyInContact() const
 {
-    for (const immersedBody& body : *this)
-    {
-        if (body.resolved() && body.contact().any())
+    return any
+    (
+        [](const immersedBody& body)
         {
-            return true;
+            return body.resolved() && body.contact().any();
         }
-    }
-
-    return false;
+    );
 }
 
 
 bool Foam::bodyList::atRest() const
 {
-    for (const immersedBody& body : *this)
-    {
-        if (!body.isFixed())
-        {
-            return false;
-        }
-    }
-
-    return true;
+    return !any([](const immersedBody& body) { return !body.isFixed(); });
 }
 
 
@@ -119,7 +127,7 @@ Foam::scalar Foam::bodyList::maxSpeed() const
         speed = max(speed, body.maxSpeed());
     }
 
-    return speed;
+    return share_->largest(speed);
 }
 
 
@@ -135,7 +143,7 @@ Foam::scalar Foam::bodyList::contactSpeed() const
         );
     }
 
-    return speed;
+    return share_->largest(speed);
 }
 
 
@@ -147,6 +155,36 @@ void Foam::bodyList::append(autoPtr<immersedBody>&& body)
     {
         one->added();
     }
+}
+
+
+void Foam::bodyList::append
+(
+    autoPtr<immersedBody>&& body,
+    const UList<char>& packed
+)
+{
+    append(std::move(body));
+
+    const char* data = packed.cdata();
+
+    for (dependent* one : dependents_)
+    {
+        one->unpack(size() - 1, data);
+    }
+}
+
+
+Foam::List<char> Foam::bodyList::pack(const label i) const
+{
+    DynamicList<char> data;
+
+    for (const dependent* one : dependents_)
+    {
+        one->pack(i, data);
+    }
+
+    return List<char>(std::move(data));
 }
 
 

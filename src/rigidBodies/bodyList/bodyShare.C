@@ -77,6 +77,36 @@ void Foam::bodyShare::set
 }
 
 
+void Foam::bodyShare::elements
+(
+    const labelUList& bodies,
+    const labelUList& start,
+    const labelUList& places,
+    const label n,
+    labelList& at,
+    labelList& atStart
+)
+{
+    DynamicList<label> all(n*bodies.size());
+
+    atStart = labelList(1, label(0));
+    for (label rank = 0; rank + 1 < start.size(); ++rank)
+    {
+        for (label k = start[rank]; k < start[rank + 1]; ++k)
+        {
+            const label first = places[bodies[k]];
+
+            for (label i = 0; i < n && first >= 0; ++i)
+            {
+                all.append(first + i);
+            }
+        }
+        atStart.append(all.size());
+    }
+    at = labelList(std::move(all));
+}
+
+
 void Foam::bodyShare::readState(const dictionary& dict)
 {
     const labelPair before

@@ -5,13 +5,19 @@
 namespace
 {
 
+bool isOne(const Foam::immersedBody& body)
+{
+    return body.isFree() && body.resolved();
+}
+
+
 //- Call f with each free resolved body
 template<class List, class Function>
 void forFree(List& bodies, const Function& f)
 {
     for (auto& body : bodies)
     {
-        if (body.isFree() && body.resolved())
+        if (isOne(body))
         {
             f(body);
         }
@@ -19,6 +25,25 @@ void forFree(List& bodies, const Function& f)
 }
 
 } // End anonymous namespace
+
+
+Foam::labelList Foam::freeVelocities::bodies
+(
+    const PtrList<immersedBody>& bodies
+)
+{
+    DynamicList<label> free(bodies.size());
+
+    forAll(bodies, i)
+    {
+        if (isOne(bodies[i]))
+        {
+            free.append(i);
+        }
+    }
+
+    return labelList(std::move(free));
+}
 
 
 Foam::vectorField Foam::freeVelocities::get

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyCrowd.H"
+#include "bodyShare.H"
 
 namespace
 {
@@ -30,20 +31,27 @@ void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
 {
     before_ = active_;
 
-    label nFree = 0;
-    bool heavy = true;
+    label nFree = 0, nLight = 0;
 
-    for (const immersedBody& body : bodies_)
+    forAll(bodies_, bodyi)
     {
-        if (body.resolved() && body.isFree())
+        const immersedBody& body = bodies_[bodyi];
+
+        if
+        (
+            body.resolved() && body.isFree() && bodies_.share().mine(bodyi)
+        )
         {
             ++nFree;
-            heavy = heavy && body.densityRatio() >= leastRatio;
+            nLight += body.densityRatio() < leastRatio;
         }
     }
 
     active_ =
-        may && heavy && nFree >= many && region.bands().overlap() > close;
+        may
+     && bodies_.share().total(nLight) == 0
+     && bodies_.share().total(nFree) >= many
+     && region.bands().overlap() > close;
 }
 
 

@@ -7,8 +7,18 @@
 namespace
 {
 
-//- Bodies per rank from which on they are spread
+//- Bodies per rank from which on they are spread: those that the mesh does not
+//  resolve, and those that it does, each of which is more to hold and to send
 const Foam::label fewest = Foam::grainShare::fewest;
+const Foam::label fewestResolved = 16;
+
+//- What a body may go in a time step beyond twice that of the fastest, as far as
+//  contact looks, over the largest radius
+const Foam::scalar spareWay = 0.25;
+
+//- Part of its width to which the frame of a body may reach, where that is
+//  farther than its band (comovingDerivative)
+const Foam::scalar partOfWidth = 0.4;
 
 //- Part of all bodies that a rank holds then, at most: copies take as long as
 //  what all ranks do for all. And by how much the part that it moves may exceed
@@ -22,20 +32,21 @@ const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 Foam::bodyHandover::bodyHandover
 (
     bodyList& bodies,
-    bodyCellSizes& h,
+    const couplingChoice& choice,
+    const immersedRegion& region,
     const grainKernels& kernels,
-    const cellSearch& search,
     const periodicity& periods,
     const bool may
 )
 :
     bodies_(bodies),
     share_(bodies.share()),
-    h_(h),
+    choice_(choice),
+    region_(region),
     kernels_(kernels),
-    search_(search),
+    search_(region.search()),
     periods_(periods),
-    bounds_(search.mesh()),
+    bounds_(search_.mesh()),
     may_(may),
     look_(true),
     reported_(false)
@@ -44,15 +55,46 @@ Foam::bodyHandover::bodyHandover
 
 bool Foam::bodyHandover::allCan() const
 {
+    const bool resolved = bodies_.nResolved();
+    const label enough = resolved ? fewestResolved : fewest;
+
+    if (bodies_.size() < enough*Pstream::nProcs())
+    {
+        return false;
+    }
+
     for (const immersedBody& body : bodies_)
     {
-        if (body.resolved() || !bodyPacket::suffices(body))
+        // Those that the mesh decides on may be resolved later
+        const bool alike = body.resolved() == resolved
+         && resolved == (choice_.type(body) == "resolved");
+
+        if (!alike || !bodyPacket::suffices(body))
         {
             return false;
         }
     }
 
     return true;
+}
+
+
+Foam::scalar Foam::bodyHandover::reach(const immersedBody& body) const
+{
+    if (!body.resolved())
+    {
+        return kernels_.radius(body, search_.hMax());
+    }
+
+    // Faces belong to cells on both sides
+    return search_.hMax() + max
+    (
+        bodyRegion::reach
+        (
+            body, region_.resistance().bandWidth(), search_.hMax()
+        ),
+        body.shape().boundingRadius() + partOfWidth*body.shape().width()
+    );
 }
 
 
@@ -88,11 +130,10 @@ Foam::scalar Foam::bodyHandover::maxRadius() const
 
 void Foam::bodyHandover::setWay(const scalar dt)
 {
-    // One that is hit may go as far as the fastest, and contact looks as far as
-    // a radius
+    // One that is hit may go as far as the fastest
     const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
 
-    share_.setWay(maxRadius() + 2*dt*speed);
+    share_.setWay(spareWay*maxRadius() + 2*dt*speed);
 }
 
 
@@ -109,13 +150,10 @@ Foam::labelList Foam::bodyHandover::holders
     const scalar touching =
         body.shape().boundingRadius() + maxRadius() + 2*share_.way()
       + search_.hMax();
-    const scalar reach = max
+    labelList ranks
     (
-        kernels_.radius(body, search_.hMax()) + share_.way(),
-        touching
+        bounds_.reached(x, max(reach(body) + share_.way(), touching), periods_)
     );
-
-    labelList ranks(bounds_.reached(x, reach, periods_));
 
     if (!ranks.found(owner))
     {
@@ -154,8 +192,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
     if
     (
         !may_ || !look_ || !Pstream::parRun()
-     || bodies_.size() < fewest*Pstream::nProcs() || !allCan()
-     || share_.inVain()
+     || !allCan() || share_.inVain()
     )
     {
         return;

@@ -10,25 +10,36 @@ void Foam::bodyHandover::sendBody(const label bodyi, Ostream& os) const
     const immersedBody& body = bodies_[bodyi];
     const bodyPacket packet(body);
 
-    os  << placeOfKind_.at(&body.kind()) << body.name() << h_[bodyi];
+    const List<char> packed(bodies_.pack(bodyi));
+
+    os  << placeOfKind_.at(&body.kind()) << body.name() << packed.size();
     os.write(reinterpret_cast<const char*>(&packet), sizeof(packet));
+    os.write(packed.cdata(), packed.size());
 }
 
 
-Foam::autoPtr<Foam::immersedBody> Foam::bodyHandover::receiveBody
+Foam::bodyHandover::received Foam::bodyHandover::receiveBody
 (
     Istream& is,
-    scalar& h
+    const label owner,
+    const labelUList& holders
 ) const
 {
-    label kind;
+    label kind, size;
     word name;
     bodyPacket packet;
 
-    is  >> kind >> name >> h;
+    is  >> kind >> name >> size;
     is.read(reinterpret_cast<char*>(&packet), sizeof(packet));
 
-    return packet.make(name, kinds_[kind]);
+    received one
+    {
+        packet.make(name, kinds_[kind]), List<char>(size), owner, holders
+    };
+
+    is.read(one.packed.data(), size);
+
+    return one;
 }
 
 
@@ -122,12 +133,7 @@ void Foam::bodyHandover::hear
             continue;
         }
 
-        received one;
-
-        one.body = receiveBody(from, one.h);
-        one.owner = owner;
-        one.holders = ranks;
-        made.push_back(std::move(one));
+        made.push_back(receiveBody(from, owner, ranks));
     }
 }
 
@@ -141,8 +147,7 @@ void Foam::bodyHandover::insert(std::vector<received>& made)
 
     for (received& one : made)
     {
-        bodies_.append(std::move(one.body));
-        h_.last() = one.h;
+        bodies_.append(std::move(one.body), one.packed);
         note(bodies_.size() - 1, one.owner, one.holders);
     }
     bodies_.sort();
@@ -193,12 +198,7 @@ bool Foam::bodyHandover::unite()
 
         while (!from.eof())
         {
-            received one;
-
-            one.body = receiveBody(from, one.h);
-            one.owner = rank;
-            one.holders = labelList(1, me);
-            made.push_back(std::move(one));
+            made.push_back(receiveBody(from, rank, labelList(1, me)));
         }
     }
     insert(made);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyLoads.H"
-#include "compat.H"
+#include "bodyShare.H"
 #include "symmetryPlanes.H"
 #include "unresolvedCoupling.H"
 
@@ -37,33 +37,26 @@ void Foam::bodyLoads::reduce
     }
 
     const label n = response ? bodyLoad::nPacked : bodyLoad::nPackedLoad;
-    const auto measured = [&](const label bodyi)
-    {
-        return bodies_[bodyi].resolved() && region.selected(bodyi);
-    };
-    scalarField packed(n*bodies_.nResolved());
-    label at = 0;
+    DynamicList<label> measured(bodies_.size());
 
-    forAll(loads_, bodyi)
+    forAll(bodies_, bodyi)
     {
-        if (measured(bodyi))
+        if (bodies_[bodyi].resolved() && region.selected(bodyi))
         {
-            loads_[bodyi].pack(packed, at, n);
-            at += n;
+            measured.append(bodyi);
         }
     }
 
-    packed.resize(at);
-    compat::allReduce(packed, plusEqOp<scalar>());
-    at = 0;
+    scalarField packed(n*measured.size());
 
-    forAll(loads_, bodyi)
+    forAll(measured, i)
     {
-        if (measured(bodyi))
-        {
-            loads_[bodyi].unpack(packed, at, n);
-            at += n;
-        }
+        loads_[measured[i]].pack(packed, n*i, n);
+    }
+    bodies_.share().combine(measured, n, packed, plusEqOp<scalar>());
+    forAll(measured, i)
+    {
+        loads_[measured[i]].unpack(packed, n*i, n);
     }
 }
 
@@ -104,16 +97,17 @@ void Foam::bodyLoads::noteUnresolved(const unresolvedCoupling& coupling)
 
 Foam::scalar Foam::bodyLoads::slip() const
 {
-    scalar sum = 0, volume = 0;
+    // Of squares, and volume
+    vector2D sums(Zero);
 
     forAll(loads_, bodyi)
     {
-        if (bodies_[bodyi].resolved())
+        if (bodies_[bodyi].resolved() && bodies_.share().mine(bodyi))
         {
-            sum += loads_[bodyi].slip;
-            volume += loads_[bodyi].volume;
+            sums += vector2D(loads_[bodyi].slip, loads_[bodyi].volume);
         }
     }
+    sums = bodies_.share().total(sums);
 
-    return Foam::sqrt(sum/max(volume, VSMALL));
+    return Foam::sqrt(sums.x()/max(sums.y(), VSMALL));
 }

@@ -141,9 +141,9 @@ Foam::immersedBodies::immersedBodies
         new bodyHandover
         (
             bodies_,
-            h_,
+            unresolved_->coupling().choice(),
+            region(),
             unresolved_->coupling().kernels(),
-            region().search(),
             periodicity_,
             maySpread()
         )
@@ -234,7 +234,7 @@ Foam::scalar Foam::immersedBodies::minCellSize() const
 
 Foam::scalar Foam::immersedBodies::maxSpeed() const
 {
-    return bodies_.share().largest(bodies_.maxSpeed());
+    return bodies_.maxSpeed();
 }
 
 
@@ -263,8 +263,7 @@ bool Foam::immersedBodies::maySpread()
 {
     // The contact model follows what there is
     return
-        unresolved_->coupling().choice().maybeUnresolved(bodies_)
-     && !passage_->injects() && !passage_->leaving().active()
+        !passage_->injects() && !passage_->leaving().active()
      && !steady_.active() && !window_.comoving() && !periodicity_.sliding()
      && contacts_->follow(bodies_.share());
 }

@@ -50,9 +50,10 @@ void Foam::immersedBodies::undoStep()
 }
 
 
-void Foam::immersedBodies::predictPoses()
+bool Foam::immersedBodies::predictPoses()
 {
     const scalar dt = mesh_.time().deltaTValue();
+    bool extended = false, again = false;
 
     window_.move(dt);
 
@@ -68,14 +69,12 @@ void Foam::immersedBodies::predictPoses()
         }
 
         contacts_->advance(bodies_, h_, dt, window_.meanVelocity());
+        again = handover_->extend(contacts_->model().wayWanted());
+        extended = extended || again;
     }
-    while (handover_->extend(contacts_->model().wayWanted()));
+    while (again);
 
-    // Of those that have come in this time step
-    forAll(h_, bodyi)
-    {
-        oldH_[bodyi] = oldH_[bodyi] < 0 ? h_[bodyi] : oldH_[bodyi];
-    }
+    return extended;
 }
 
 
@@ -88,8 +87,10 @@ void Foam::immersedBodies::predict
 {
     addProfiling(predict, "immersedBodies::predict");
 
-    predictPoses();
-    resolved_->update(enough, again);
+    // Where bodies are new, all take part
+    const bool extended = predictPoses();
+
+    resolved_->update(extended ? 0 : enough, again);
     if (!inBands)
     {
         unresolved_->update();

@@ -175,6 +175,12 @@ void Foam::outerIteration::noteFastest(const scalar speed)
 }
 
 
+bool Foam::outerIteration::loadsCount() const
+{
+    return number_ < lastForLoads;
+}
+
+
 bool Foam::outerIteration::farOff() const
 {
     const bool stagnant =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "pressureAround.H"
-#include "compat.H"
+#include "bodyShare.H"
 
 Foam::pressureAround::pressureAround
 (
@@ -26,25 +26,27 @@ Foam::vectorField Foam::pressureAround::gradients
 ) const
 {
     // On both sides of each body: the sum of the values in the cells there,
-    // and their number. One list, for one reduction
-    const label n = bodies_.size();
-    vectorField packed(4*n, Zero);
-
-    const auto sum = [&](const label side, const label bodyi) -> vector&
-    {
-        return packed[2*n*side + bodyi];
-    };
-    const auto number = [&](const label side, const label bodyi) -> vector&
-    {
-        return packed[2*n*side + n + bodyi];
-    };
+    // and their number
+    const label n = 4;
+    labelList listed(bodies_.size() - bodies_.nUnresolved());
+    vectorField packed(n*listed.size(), Zero);
+    label last = 0;
 
     forAll(bodies_, bodyi)
     {
         const immersedBody& body = bodies_[bodyi];
-        const scalar R = body.shape().boundingRadius();
 
-        for (direction k = 0; k < 3 && body.resolved(); ++k)
+        if (!body.resolved())
+        {
+            continue;
+        }
+
+        const scalar R = body.shape().boundingRadius();
+        vector* const sums = &packed[n*last];
+
+        listed[last++] = bodyi;
+
+        for (direction k = 0; k < 3; ++k)
         {
             for (label side = 0; side < 2; ++side)
             {
@@ -56,29 +58,29 @@ Foam::vectorField Foam::pressureAround::gradients
                     const label celli =
                         region_.search().findCell(x + im.shift);
 
-                    sum(side, bodyi)[k] += celli >= 0 ? p[celli] : 0;
-                    number(side, bodyi)[k] += celli >= 0;
+                    sums[2*side][k] += celli >= 0 ? p[celli] : 0;
+                    sums[2*side + 1][k] += celli >= 0;
                 }
             }
         }
     }
 
-    compat::allReduce(packed, plusEqOp<vector>());
+    bodies_.share().combine(listed, n, packed, plusEqOp<vector>());
 
-    vectorField gradP(n, -drive);
+    vectorField gradP(bodies_.size(), -drive);
 
-    forAll(gradP, bodyi)
+    forAll(listed, i)
     {
-        const scalar width = 2*bodies_[bodyi].shape().boundingRadius();
+        const vector* const sums = &packed[n*i];
+        const scalar width = 2*bodies_[listed[i]].shape().boundingRadius();
 
         for (direction k = 0; k < 3; ++k)
         {
-            const scalar n0 = number(0, bodyi)[k], n1 = number(1, bodyi)[k];
+            const scalar n0 = sums[1][k], n1 = sums[3][k];
 
             if (n0 > 0 && n1 > 0)
             {
-                gradP[bodyi][k] +=
-                    (sum(1, bodyi)[k]/n1 - sum(0, bodyi)[k]/n0)/width;
+                gradP[listed[i]][k] += (sums[2][k]/n1 - sums[0][k]/n0)/width;
             }
         }
     }
@@ -122,5 +124,5 @@ Foam::scalar Foam::pressureAround::update
         }
     }
 
-    return most;
+    return bodies_.share().largest(most);
 }

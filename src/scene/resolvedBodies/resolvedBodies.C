@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "resolvedBodies.H"
+#include "bodyShare.H"
 #include "profiling.H"
 
 Foam::resolvedBodies::resolvedBodies
@@ -117,12 +118,13 @@ Foam::scalar Foam::resolvedBodies::correct
 (
     const solvedMomentum& solved,
     const bool response,
-    const scalar addedMass
+    const scalar addedMass,
+    const bool loads
 )
 {
     addProfiling(correct, "resolvedBodies::correct");
 
-    if (bodies_.nResolved())
+    if (bodies_.anyResolved())
     {
         loads_.measure(solved, response, region_);
     }
@@ -145,12 +147,16 @@ Foam::scalar Foam::resolvedBodies::correct
           : 0;
 
         crowd_.note(bodyi, change);
-        most = max(most, change);
+
+        if (loads || body.isFree())
+        {
+            most = max(most, change);
+        }
     }
 
     window_.follow(bodies_);
 
-    return most;
+    return bodies_.share().largest(most);
 }
 
 
@@ -180,5 +186,5 @@ Foam::scalar Foam::resolvedBodies::correctCrowd
         }
     }
 
-    return most;
+    return bodies_.share().largest(most);
 }

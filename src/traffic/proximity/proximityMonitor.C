@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "proximityMonitor.H"
+#include "bodyShare.H"
 #include "compat.H"
 #include "contactModel.H"
 #include "contactPoint.H"
@@ -145,18 +146,13 @@ void Foam::proximityMonitor::checkPair
 
 Foam::scalarField Foam::proximityMonitor::wallGaps
 (
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     const immersedRegion& region
 ) const
 {
     scalarField gaps(bodies.size(), GREAT);
-    bool anyResolved = false;
 
-    for (const immersedBody& body : bodies)
-    {
-        anyResolved = anyResolved || body.resolved();
-    }
-    if (!anyResolved)
+    if (!bodies.anyResolved())
     {
         return gaps;
     }
@@ -173,7 +169,7 @@ Foam::scalarField Foam::proximityMonitor::wallGaps
         );
     }
 
-    compat::allReduce(gaps, minEqOp<scalar>());
+    bodies.share().combine(identity(gaps.size()), 1, gaps, minEqOp<scalar>());
 
     return gaps;
 }
@@ -244,7 +240,7 @@ bool Foam::proximityMonitor::gatherOverlaps()
 
 bool Foam::proximityMonitor::check
 (
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     const immersedRegion& region,
     const UList<scalar>& h
 )

@@ -22,23 +22,6 @@ const Foam::word& Foam::couplingChoice::type(const immersedBody& body) const
 }
 
 
-bool Foam::couplingChoice::maybeUnresolved
-(
-    const UPtrList<immersedBody>& bodies
-) const
-{
-    forAll(bodies, i)
-    {
-        if (type(bodies[i]) == "resolved")
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
 bool Foam::couplingChoice::resolves
 (
     const immersedBody& body,

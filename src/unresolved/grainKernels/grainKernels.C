@@ -107,6 +107,7 @@ void Foam::grainKernels::sort(const PtrList<immersedBody>& bodies)
 {
     DynamicList<label> unresolved(bodies.size());
     DynamicList<point> x(bodies.size());
+    label nMine = 0;
 
     forAll(bodies, i)
     {
@@ -114,13 +115,12 @@ void Foam::grainKernels::sort(const PtrList<immersedBody>& bodies)
         {
             unresolved.append(i);
             x.append(bodies[i].state().position);
+            nMine += held_.mine(i);
         }
     }
 
     ordered_ = UIndirectList<label>(unresolved, pointGrid::placeOrder(x));
-
-    // Where bodies are spread over the ranks, none is resolved
-    nUnresolved_ = held_.nAll() - (bodies.size() - unresolved.size());
+    nUnresolved_ = held_.total(nMine);
 }
 
 

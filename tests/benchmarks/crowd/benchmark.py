@@ -40,13 +40,14 @@ STEPS = 20
 
 def crowd(
     folder, name, centres, box, cells, steps, fixed=False, coupling="",
-    ratio=RATIO,
+    ratio=RATIO, contact="type inelastic;", row=1,
 ):
-    """A case of spheres in a cube of box cells a side."""
+    """A case of spheres in a cube of box cells a side, or in a row of them
+    along x."""
     case = settling_box(
         folder, name, box, box/cells, centres, 1/GALILEI, 1/(ratio - 1),
-        ratio, f"contact {{ type inelastic; }} {coupling}",
-        LOCKED if fixed else "",
+        ratio, f"contact {{ {contact} }} {coupling}",
+        LOCKED if fixed else "", row,
     )
     dt = COURANT/(0.5*cells)
     case.controls(endTime=f"{steps*dt:.12g}", deltaT=f"{dt:.12g}")

@@ -28,6 +28,10 @@ PARTS = {1: (1, 1, 1), 2: (2, 1, 1), 4: (2, 2, 1), 8: (2, 2, 2),
 CUBES = {1: 32, 2: 40, 4: 50, 8: 64, 16: 80}
 QUICK = (1, 2, 4)
 FRACTION, CELLS = 0.147, 8
+# Cells per side of the cubes of a row, one per rank, and contact that lets ranks
+# have their own spheres
+IN_ROW = 32
+SPRINGS = "type softSphere; collisionTime {dt:.12g};"
 # Grains per rank, with as many cells as 32^3
 PER_RANK, SIDE = 2000, 32
 # Iterations, so that they are the same for all
@@ -51,14 +55,16 @@ class Counted(Result):
     a time step [kB].
     """
 
-    def __init__(self, case, settings, D_over_h, cells, ranks, dt):
+    def __init__(
+        self, case, settings, D_over_h, cells, ranks, dt, parts=None
+    ):
         super().__init__(f"{settings}, {ranks} ranks", D_over_h, cells, MORE)
         path = case.path/"system/controlDict"
         path.write_text(
             path.read_text().split("functions\n{", 1)[0] + "functions {}\n"
         )
         if ranks > 1:
-            case.decompose(ranks, PARTS[ranks])
+            case.decompose(ranks, parts or PARTS[ranks])
         sent = []
         for steps in (FEW, MORE):
             case.controls(
@@ -110,6 +116,24 @@ def crowd(folder, ranks):
     )
 
 
+def row(folder, ranks):
+    """Spheres in cubes of cells in a row, one for each rank."""
+    number = round(FRACTION*IN_ROW**3/(math.pi/6*CELLS**3))
+    side = IN_ROW/CELLS
+    centres = CROWD.random_centres(
+        ranks*number, (ranks*side, side, side), CROWD.GAP, 1
+    )
+    dt = CROWD.COURANT/(0.5*CELLS)
+    case = CROWD.crowd(
+        folder, f"row{ranks}", centres, IN_ROW, CELLS, MORE, coupling=TWICE,
+        contact=SPRINGS.format(dt=dt), row=ranks,
+    )
+    return Counted(
+        case, f"{ranks*number} spheres in a row", CELLS, ranks*IN_ROW**3,
+        ranks, dt, (ranks, 1, 1),
+    )
+
+
 def grains(folder, ranks, per_rank):
     """Grains that the mesh does not resolve, or none."""
     place = folder/f"grains{per_rank}_{ranks}"
@@ -125,8 +149,9 @@ def grains(folder, ranks, per_rank):
 
 
 def rows(folder, quick):
-    for ranks in QUICK if quick else PARTS:
-        yield from crowd(folder, ranks).rows()
+    for case in (crowd, row):
+        for ranks in QUICK if quick else PARTS:
+            yield from case(folder, ranks).rows()
     for per_rank in (PER_RANK, 0):
         for ranks in QUICK if quick else PARTS:
             yield from grains(folder, ranks, per_rank).rows()

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""So many bodies that each rank holds only those near to it, which the mesh
+resolves: the same on any number of ranks, while they hit each other and go from
+rank to rank."""
+
+import re
+
+import numpy as np
+import pytest
+
+import boxMesh
+from bodyCase import BodyCase
+from boxMesh import uniform
+from periodicBox import SIDES, set_fields
+from periodicTube import direct_pressure
+from test_sharedGrains import motions
+
+LENGTH, WIDTH, CELLS = 50, 8, 8
+ALONG, ACROSS = 40, 5
+STEP, STEPS = 0.05, 6
+DISC = "shape { type disc; radius 0.5; }"
+# Shapes, and how they move
+KINDS = (
+    f"{DISC} densityRatio 2; velocity (1 0.3 0);",
+    "shape { type ellipse; semiAxes (0.5 0.4); } densityRatio 3;"
+    " velocity (-0.7 0.5 0); angularVelocity (0 0 1);",
+    f"{DISC} motion {{ type prescribed; velocity (-0.1 -0.2 0); }}",
+)
+
+
+def crowd(folder, name="crowd", contact="type softSphere", shares=(12, 0, 1)):
+    """200 discs and ellipses in a box that repeats itself, far longer than it
+    is wide; shares: of each kind, in so many."""
+    case = BodyCase("tube", folder, name)
+    names = list(SIDES)[:4]
+    boxMesh.write(
+        case, uniform(0, LENGTH, LENGTH*CELLS), uniform(0, WIDTH, WIDTH*CELLS),
+        None, {side: SIDES[side] for side in names},
+    )
+    case.set_cyclic(*names[:2])
+    case.set_cyclic(*names[2:])
+    case.run("blockMesh")
+    set_fields(case, 0)
+    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
+    case.replace("constant/transportProperties", "0.5;", "0.02;")
+    direct_pressure(case)
+    random = np.random.default_rng(3)
+    # Some between two ranks, beside x = 12.5 k
+    places = np.indices((ALONG, ACROSS)).reshape(2, -1).T + [0.98, 0.5]
+    places *= np.array([LENGTH/ALONG, WIDTH/ACROSS])
+    places += random.uniform(-0.1, 0.1, places.shape)
+    kinds = random.permutation(np.resize(
+        np.repeat(np.arange(len(KINDS)), shares), len(places)
+    ))
+    places = [places[kinds == i] for i in range(len(KINDS))]
+    bodies = ""
+    for kind, (motion, of_kind) in enumerate(zip(KINDS, places)):
+        at = " ".join(f"({x:.12g} {y:.12g} 0)" for x, y in of_kind)
+        if at:
+            bodies += f"kind{kind} {{ {motion} positions ({at}); }}\n"
+    case.start = np.concatenate(places)
+    case.bodies(
+        bodies,
+        f"contact {{ type softSphere; collisionTime {STEP}; friction 0.3;"
+        " largestOverlap 0.9; }",
+    )
+    case.controls(
+        deltaT=STEP, endTime=STEP*STEPS, writeControl="timeStep",
+        writeInterval=STEPS//2, writeFormat="ascii", writePrecision=17,
+        timePrecision=15,
+    )
+    # Else all ranks would hold all in each time step
+    path = case.path/"system/controlDict"
+    path.write_text(
+        path.read_text().replace(
+            "writeControl    timeStep;\n        writePrecision",
+            "writeControl    writeTime;\n        writePrecision",
+        )
+    )
+    return case
+
+
+def rank_of(x):
+    """Of four."""
+    return np.floor(4*x/LENGTH)
+
+
+@pytest.mark.parametrize("shares", [(12, 0, 1), (1, 1, 0)])
+def test_same_on_several_ranks(shares, tmp_path):
+    """With some that are towed, and without: then later iterations are those of
+    few."""
+    one = crowd(tmp_path, shares=shares)
+    start = one.start[:, 0]
+    results = []
+    for ranks in (1, 4):
+        case = BodyCase(one, tmp_path, f"ranks{ranks}")
+        log = case.solve(ranks, (ranks, 1, 1))
+        assert ("Bodies are spread over the ranks: 200" in log) == (ranks > 1)
+        results.append((case, re.findall(r"outer iterations (\d+)", log)))
+    (one, iterations), (several, as_many) = results
+
+    state = one.path/one.latest_time()/"uniform/immersedBodies"
+    assert "crowd " in state.read_text()
+
+    motion = motions(one)
+    end = motion[0].reshape(2, -1)[-1]
+    assert (rank_of(end) != rank_of(start)).any()
+
+    largest = np.maximum(np.abs(motion).max(axis=1, keepdims=True), 1e-6)
+    assert as_many == iterations
+    # Loads on those that are towed would take up to 48
+    assert max(int(n) for n in iterations[:5]) <= 12
+    assert np.max(np.abs(motions(several) - motion)/largest) < 1e-6
+
+
+def test_restart_is_exact(tmp_path):
+    at_once = crowd(tmp_path)
+    at_once.decompose(4, (4, 1, 1))
+    parts = BodyCase(at_once, tmp_path, "parts")
+    at_once.solve(4)
+    for end in (STEP*STEPS/2, STEP*STEPS):
+        parts.controls(endTime=end)
+        log = parts.solve(4)
+        assert "Bodies are spread" in log
+
+    # The sums of fastPoisson may differ in the last bit from run to run
+    a, b = motions(at_once), motions(parts)
+    assert a.shape == b.shape
+    assert np.max(np.abs(a - b)) < 1e-10
