@@ -34,6 +34,12 @@ namespace
 }
 
 
+Foam::scalar Foam::comovingDerivative::farthestReach(const immersedBody& body)
+{
+    return partOfWidth*body.shape().width();
+}
+
+
 Foam::comovingDerivative::comovingDerivative
 (
     const fvMesh& mesh,
@@ -182,7 +188,7 @@ void Foam::comovingDerivative::update
             const immersedBody& body = bodies[bodyi];
             const scalar end = periods.active()
               ? 0
-              : min(partOfWidth*body.shape().width()/h[bodyi], maxReach);
+              : min(farthestReach(body)/h[bodyi], maxReach);
 
             if (end > bandWidth)
             {

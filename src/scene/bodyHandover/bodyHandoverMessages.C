@@ -2,42 +2,63 @@
 
 #include "bodyHandover.H"
 #include "bodyPacket.H"
+#include "bytes.H"
+#include "exchange.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 
-void Foam::bodyHandover::sendBody(const label bodyi, Ostream& os) const
+namespace
 {
-    const immersedBody& body = bodies_[bodyi];
-    const bodyPacket packet(body);
-
-    const List<char> packed(bodies_.pack(bodyi));
-
-    os  << placeOfKind_.at(&body.kind()) << body.name() << packed.size();
-    os.write(reinterpret_cast<const char*>(&packet), sizeof(packet));
-    os.write(packed.cdata(), packed.size());
+    //- Bodies that each rank sends to all others at once
+    const Foam::label atOnce = 1000;
 }
 
 
-Foam::bodyHandover::received Foam::bodyHandover::receiveBody
+void Foam::bodyHandover::pack
 (
-    Istream& is,
+    const label bodyi,
+    DynamicList<char>& data
+) const
+{
+    const immersedBody& body = bodies_[bodyi];
+    const List<char> ofLists(bodies_.pack(bodyi));
+    const label length = body.name().size();
+
+    bytes::append(placeOfKind_.at(&body.kind()), data);
+    bytes::append(bodyPacket(body), data);
+    bytes::append(length, data);
+    bytes::append(body.name().data(), length, data);
+    bytes::append(ofLists.size(), data);
+    bytes::append(ofLists.cdata(), ofLists.size(), data);
+}
+
+
+Foam::bodyHandover::received Foam::bodyHandover::unpack
+(
+    const char*& data,
     const label owner,
     const labelUList& holders
 ) const
 {
-    label kind, size;
-    word name;
+    label kind, length, size;
     bodyPacket packet;
 
-    is  >> kind >> name >> size;
-    is.read(reinterpret_cast<char*>(&packet), sizeof(packet));
+    bytes::read(data, kind);
+    bytes::read(data, packet);
+    bytes::read(data, length);
+
+    const word name(std::string(data, length), false);
+
+    data += length;
+    bytes::read(data, size);
 
     received one
     {
         packet.make(name, kinds_[kind]), List<char>(size), owner, holders
     };
 
-    is.read(one.packed.data(), size);
+    std::copy(data, data + size, one.packed.begin());
+    data += size;
 
     return one;
 }
@@ -88,7 +109,10 @@ void Foam::bodyHandover::tell
                 << bodies_[i].number() << owners[i] << ranks << label(isNew);
             if (isNew)
             {
-                sendBody(i, to[rank]);
+                DynamicList<char> data;
+
+                pack(i, data);
+                to[rank] << static_cast<const List<char>&>(data);
             }
         }
         note(i, owners[i], ranks);
@@ -133,7 +157,10 @@ void Foam::bodyHandover::hear
             continue;
         }
 
-        made.push_back(receiveBody(from, owner, ranks));
+        const List<char> packed(from);
+        const char* data = packed.cdata();
+
+        made.push_back(unpack(data, owner, ranks));
     }
 }
 
@@ -162,43 +189,43 @@ bool Foam::bodyHandover::unite()
     }
 
     const label me = Pstream::myProcNo();
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-
-    for (label rank = 0; rank < Pstream::nProcs(); ++rank)
-    {
-        if (rank == me)
-        {
-            continue;
-        }
-
-        UOPstream to(rank, buffers);
-
-        forAll(bodies_, i)
-        {
-            if (share_.mine(i) && !share_.others(i).found(rank))
-            {
-                sendBody(i, to);
-            }
-        }
-    }
-    labelList sizes;
-    buffers.finishedSends(sizes);
-
+    DynamicList<label> own(bodies_.size());
     std::vector<received> made;
 
-    forAll(sizes, rank)
+    forAll(bodies_, i)
     {
-        // A stream of nothing does not know that it is at its end
-        if (!sizes[rank])
+        if (share_.mine(i))
         {
-            continue;
+            own.append(i);
+        }
+    }
+
+    // All at once would take as much memory again
+    for (label first = 0; share_.any(first < own.size()); first += atOnce)
+    {
+        DynamicList<char> mine;
+
+        for (label k = first; k < min(first + atOnce, own.size()); ++k)
+        {
+            pack(own[k], mine);
         }
 
-        UIPstream from(rank, buffers);
+        labelList start;
+        const List<char> all(gatherAll<char>(mine, start));
 
-        while (!from.eof())
+        for (label rank = 0; rank < Pstream::nProcs(); ++rank)
         {
-            made.push_back(receiveBody(from, rank, labelList(1, me)));
+            const char* data = all.cdata() + start[rank];
+
+            while (rank != me && data < all.cdata() + start[rank + 1])
+            {
+                received one(unpack(data, rank, labelList(1, me)));
+
+                if (share_.find(one.body->number()) < 0)
+                {
+                    made.push_back(std::move(one));
+                }
+            }
         }
     }
     insert(made);

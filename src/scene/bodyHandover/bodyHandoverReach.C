@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyHandover.H"
+#include "comovingDerivative.H"
+
+namespace
+{
+
+//- What a body may go in a time step beyond twice that of the fastest, as far as
+//  contact looks, over the largest radius
+const Foam::scalar spareWay = 0.25;
+
+} // End anonymous namespace
+
+
+Foam::scalar Foam::bodyHandover::reach(const immersedBody& body) const
+{
+    if (!body.resolved())
+    {
+        return kernels_.radius(body, search_.hMax());
+    }
+
+    // Faces belong to cells on both sides
+    return search_.hMax() + max
+    (
+        bodyRegion::reach
+        (
+            body, region_.resistance().bandWidth(), search_.hMax()
+        ),
+        body.shape().boundingRadius()
+          + comovingDerivative::farthestReach(body)
+    );
+}
+
+
+Foam::scalar Foam::bodyHandover::maxRadius() const
+{
+    scalar most = 0;
+
+    for (const auto& kind : kinds_)
+    {
+        most = max(most, kind->shape().boundingRadius());
+    }
+
+    return most;
+}
+
+
+void Foam::bodyHandover::setWay(const scalar dt)
+{
+    // One that is hit may go as far as the fastest
+    const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
+
+    share_.setWay(spareWay*maxRadius() + 2*dt*speed);
+}
+
+
+Foam::labelList Foam::bodyHandover::holders
+(
+    const label bodyi,
+    const point& x,
+    const label owner
+) const
+{
+    // Centres of a rank's own bodies are within half a cell from those of
+    // cells; kernels grow where cells do
+    const immersedBody& body = bodies_[bodyi];
+    const scalar touching =
+        body.shape().boundingRadius() + maxRadius() + 2*share_.way()
+      + search_.hMax();
+    labelList ranks
+    (
+        bounds_.reached(x, max(reach(body) + share_.way(), touching), periods_)
+    );
+
+    if (!ranks.found(owner))
+    {
+        ranks.append(owner);
+        Foam::sort(ranks);
+    }
+
+    return ranks;
+}
