@@ -77,36 +77,6 @@ void Foam::bodyShare::set
 }
 
 
-void Foam::bodyShare::elements
-(
-    const labelUList& bodies,
-    const labelUList& start,
-    const labelUList& places,
-    const label n,
-    labelList& at,
-    labelList& atStart
-)
-{
-    DynamicList<label> all(n*bodies.size());
-
-    atStart = labelList(1, label(0));
-    for (label rank = 0; rank + 1 < start.size(); ++rank)
-    {
-        for (label k = start[rank]; k < start[rank + 1]; ++k)
-        {
-            const label first = places[bodies[k]];
-
-            for (label i = 0; i < n && first >= 0; ++i)
-            {
-                all.append(first + i);
-            }
-        }
-        atStart.append(all.size());
-    }
-    at = labelList(std::move(all));
-}
-
-
 void Foam::bodyShare::readState(const dictionary& dict)
 {
     const labelPair before
@@ -130,36 +100,5 @@ void Foam::bodyShare::writeState(Ostream& os) const
 
 void Foam::bodyShare::connect()
 {
-    const label me = Pstream::myProcNo();
-    List<DynamicList<label>> sent(Pstream::nProcs()), received(sent);
-
-    forAll(owners_, i)
-    {
-        if (owners_[i] != me)
-        {
-            received[owners_[i]].append(i);
-            continue;
-        }
-        for (const label rank : others_[i])
-        {
-            sent[rank].append(i);
-        }
-    }
-
-    auto flatten = [](const List<DynamicList<label>>& lists, labelList& start)
-    {
-        DynamicList<label> all;
-
-        start = labelList(1, label(0));
-        for (const DynamicList<label>& list : lists)
-        {
-            all.append(list);
-            start.append(all.size());
-        }
-
-        return labelList(all);
-    };
-
-    sent_ = flatten(sent, sentStart_);
-    received_ = flatten(received, receivedStart_);
+    copies_.connect(owners_, others_);
 }
