@@ -10,6 +10,7 @@ import pytest
 
 from bodyCase import BodyCase
 from denseBox import column, grains, write_positions
+from spreadRuns import motions
 
 DIAMETER, CELL, WIDTH, LAYERS = 1e-3, 2e-3, 6, 18
 ACROSS = 11
@@ -46,16 +47,6 @@ def falling_bed(folder, name="bed", coupling="dense"):
         timePrecision=15,
     )
     return case
-
-
-def motions(case):
-    """Velocities, spins and positions in all time steps."""
-    table = case.columns("motion")
-    return np.array([
-        table[f"{name}_{axis}"]
-        for name in ("position", "velocity", "angularVelocity")
-        for axis in "xyz"
-    ])
 
 
 @pytest.mark.parametrize("coupling", COUPLING)

@@ -8,7 +8,7 @@ import pytest
 from bodyCase import BodyCase
 from denseBox import column, grains, write_positions
 from foamCase import FoamError
-from test_sharedGrains import motions
+from spreadRuns import motions, write_twice
 
 DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 34
 ACROSS, LAYERS = 10, 22
@@ -47,19 +47,7 @@ def rain(
         f"contact {{ type softSphere; {contact or CONTACT} }} coupling {{ {DENSE} }}",
     )
     case.gravity(0, 0, -gravity)
-    case.controls(
-        deltaT=STEP, endTime=STEP*steps, writeControl="timeStep",
-        writeInterval=steps//2, writeFormat="ascii", writePrecision=17,
-        timePrecision=15,
-    )
-    # Else all ranks would hold all in each time step
-    path = case.path/"system/controlDict"
-    path.write_text(
-        path.read_text().replace(
-            "writeControl    timeStep;\n        writePrecision",
-            "writeControl    writeTime;\n        writePrecision",
-        )
-    )
+    write_twice(case, STEP, steps)
     return case
 
 

@@ -76,3 +76,18 @@ TEST_CASE("What is cleared is not combined", "[anderson]")
 
     CHECK(result[0] == 5);
 }
+
+
+TEST_CASE("What has other unknowns is not combined", "[anderson]")
+{
+    andersonAcceleration fixedPoint(4);
+    scalarField result(2, 1.);
+
+    fixedPoint.apply(scalarField(2, 1.), result);
+
+    // On one processor only
+    scalarField more(Pstream::master() ? 3 : 2, 5.);
+
+    fixedPoint.apply(scalarField(more.size(), 0.5), more);
+    CHECK(more == scalarField(more.size(), 5.));
+}

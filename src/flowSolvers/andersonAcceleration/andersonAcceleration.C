@@ -96,6 +96,10 @@ void Foam::andersonAcceleration::apply
 {
     const scalar size = Foam::sqrt(gSumSqr(residual));
 
+    if (any_ && returnReduce(result.size() != result_.size(), orOp<bool>()))
+    {
+        clear();
+    }
     if (n_ && size > worse*smallest_)
     {
         clear();

@@ -2,7 +2,6 @@
 
 #include "immersedFluid.H"
 #include "bodyContacts.H"
-#include "bodyShare.H"
 
 namespace
 {
@@ -72,23 +71,11 @@ bool Foam::flowSolvers::immersedFluid::oneSuffices() const
 
 bool Foam::flowSolvers::immersedFluid::crowdFollows() const
 {
-    if (!bodies_.crowd().active() || !layers_.active())
-    {
-        return false;
-    }
-
     // What the first iteration leaves in the loads is smoothed by the mass of
     // bodies that are free, and of no others
-    bool others = false;
-
-    for (const immersedBody& body : bodies_.list())
-    {
-        others =
-            others
-         || (body.resolved() && !body.isFree() && body.maxSpeed() > 0);
-    }
-
-    return !bodies_.list().share().any(others);
+    return
+        bodies_.crowd().active() && !bodies_.crowd().towed()
+     && layers_.active();
 }
 
 
@@ -119,9 +106,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
 
     if (bodies_.crowd().active())
     {
-        // From rest one iteration is enough without, but not around bodies that
-        // are moved
-        return bodies_.crowd().goesOn() || !crowdFollows() ? alone : 0;
+        return bodies_.crowd().goesOn() ? alone : 0;
     }
 
     // Velocities that converge in two iterations do so to a smaller error
@@ -178,10 +163,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     };
     const scalar ofBodies = bodies_.resolved().correct
     (
-        solved,
-        free && iteration_.first(),
-        addedMass(),
-        !free || iteration_.loadsCount()
+        solved, free && iteration_.first(), addedMass()
     );
     iteration_.noteVelocities(ofBodies);
 

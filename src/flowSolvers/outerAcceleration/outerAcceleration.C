@@ -30,7 +30,6 @@ Foam::outerAcceleration::outerAcceleration(const fvMesh& mesh)
 :
     mesh_(mesh),
     fixedPoint_(depth),
-    nFree_(0),
     first_(true),
     change_(0),
     active_(false),
@@ -91,14 +90,6 @@ void Foam::outerAcceleration::apply
 
     const bodyShare& share = bodies.list().share();
     const labelList free(freeVelocities::bodies(bodies.list()));
-
-    // A rank may have been given more of them within the time step
-    if (share.any(free.size() != nFree_))
-    {
-        fixedPoint_.clear();
-    }
-    nFree_ = free.size();
-
     vectorField velocities(freeVelocities::get(bodies.list()));
     const vectorField weights(freeVelocities::weights(bodies.list()));
     const label nBodies = 3*velocities.size();

@@ -2,6 +2,7 @@
 
 #include "bodyCrowd.H"
 #include "bodyShare.H"
+#include "labelVector.H"
 
 namespace
 {
@@ -21,6 +22,7 @@ Foam::bodyCrowd::bodyCrowd(bodyList& bodies)
     bodies_(bodies),
     active_(false),
     before_(false),
+    towed_(false),
     givenU_(bodies, Zero),
     givenOmega_(bodies, Zero),
     change_(bodies, 0)
@@ -31,27 +33,30 @@ void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
 {
     before_ = active_;
 
-    label nFree = 0, nLight = 0;
+    // Free ones, light ones among these, and others that move
+    labelVector n(Zero);
 
     forAll(bodies_, bodyi)
     {
         const immersedBody& body = bodies_[bodyi];
 
-        if
-        (
-            body.resolved() && body.isFree() && bodies_.share().mine(bodyi)
-        )
+        if (body.resolved() && bodies_.share().mine(bodyi))
         {
-            ++nFree;
-            nLight += body.densityRatio() < leastRatio;
+            const bool free = body.isFree();
+
+            n += labelVector
+            (
+                free,
+                free && body.densityRatio() < leastRatio,
+                !free && body.maxSpeed() > 0
+            );
         }
     }
+    n = bodies_.share().total(n);
 
+    towed_ = n[2] > 0;
     active_ =
-        may
-     && bodies_.share().total(nLight) == 0
-     && bodies_.share().total(nFree) >= many
-     && region.bands().overlap() > close;
+        may && n[0] >= many && n[1] == 0 && region.bands().overlap() > close;
 }
 
 

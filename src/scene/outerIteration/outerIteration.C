@@ -175,12 +175,6 @@ void Foam::outerIteration::noteFastest(const scalar speed)
 }
 
 
-bool Foam::outerIteration::loadsCount() const
-{
-    return number_ < lastForLoads;
-}
-
-
 bool Foam::outerIteration::farOff() const
 {
     const bool stagnant =

@@ -118,8 +118,7 @@ Foam::scalar Foam::resolvedBodies::correct
 (
     const solvedMomentum& solved,
     const bool response,
-    const scalar addedMass,
-    const bool loads
+    const scalar addedMass
 )
 {
     addProfiling(correct, "resolvedBodies::correct");
@@ -147,11 +146,7 @@ Foam::scalar Foam::resolvedBodies::correct
           : 0;
 
         crowd_.note(bodyi, change);
-
-        if (loads || body.isFree())
-        {
-            most = max(most, change);
-        }
+        most = max(most, change);
     }
 
     window_.follow(bodies_);

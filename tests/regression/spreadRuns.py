@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs in which ranks have their own bodies."""
+
+import numpy as np
+
+
+def write_twice(case, step, steps):
+    """Run so many steps, and write in the middle and at the end: also tables,
+    or all ranks would hold all bodies in each time step."""
+    case.controls(
+        deltaT=step, endTime=step*steps, writeControl="timeStep",
+        writeInterval=steps//2, writeFormat="ascii", writePrecision=17,
+        timePrecision=15,
+    )
+    path = case.path/"system/controlDict"
+    path.write_text(
+        path.read_text().replace(
+            "writeControl    timeStep;\n        writePrecision",
+            "writeControl    writeTime;\n        writePrecision",
+        )
+    )
+
+
+def motions(case):
+    """Velocities, spins and positions in all time steps."""
+    table = case.columns("motion")
+    return np.array([
+        table[f"{name}_{axis}"]
+        for name in ("position", "velocity", "angularVelocity")
+        for axis in "xyz"
+    ])
