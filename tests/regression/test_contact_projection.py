@@ -73,6 +73,37 @@ def test_discs_pushed_together_stay_together(model, density, tmp_path):
         )
 
 
+@pytest.mark.parametrize("model", MODELS)
+def test_pair_in_a_fluid_as_viscous_as_syrup(model, tmp_path):
+    """Pressed together, it turns. Viscosity resists contact with two hundred times
+    the inertia of the discs: with inertia alone half of the steps did not converge,
+    and contact pushed back with more than what presses."""
+    push = 100
+    case = box2d(tmp_path, 30)
+    case.bodies(
+        "\n".join(
+            f"disc{i} {{ shape {{ type disc; radius {RADIUS}; }} density 1;"
+            f" position ({x} {y} 0); restraints {{ push {{ type externalForce;"
+            f" force constant ({f} {-0.3*f} 0); }} }} }}"
+            for i, (x, y, f) in enumerate((
+                (-0.2501, 0, push), (0.2501, 0.02, -push)
+            ))
+        ),
+        f"rho 1; {contact(model)}",
+    )
+    case.replace("constant/transportProperties", "nu              0.1;", "nu 100;")
+    case.controls(endTime=0.4, deltaT=0.01)
+    log = case.solve()
+
+    iterations = [int(n) for n in re.findall(r"outer iterations (\d+)", log)]
+    assert len(iterations) == 40
+    assert max(iterations[25:]) <= 20
+    for body, sign in ((0, -1), (1, 1)):
+        force = sign*case.table("forces", body)["contactForce_x"][20:]
+        assert force.min() > 0.6*push
+        assert force.max() < push
+
+
 @pytest.mark.parametrize("density", [0.5, 20])
 def test_viscous_discs_are_torn_apart_later(density, tmp_path):
     """Pulled for as long as they were pushed: only the viscous ones hold."""

@@ -76,6 +76,31 @@ TEST_CASE("A correction is the Newton step of the equation of motion",
 }
 
 
+TEST_CASE("What viscosity adds to the inertia follows from the response",
+    "[immersedBody]")
+{
+    const ddtCoefficients ddt("Euler", 0.1, 0.1);
+    immersedBody body(makeBody("densityRatio 1;", space));
+    const scalar V = body.volume(), I = 0.4*0.25*V;
+
+    // Inertia of the fluid inside, and four and nine times as much by
+    // viscosity
+    bodyLoad load;
+    for (direction k = 0; k < 3; ++k)
+    {
+        vector r(Zero);
+        r[k] = Foam::sqrt(3*I/V);
+        load.addResponse(5*V*ddt.c/6, r, r);
+        load.addResponse(5*V*ddt.c/6, -r, -r);
+    }
+    body.beginStep();
+    body.correctVelocity(load, ddt, Zero);
+
+    CHECK(body.fluid().viscous().mass == near(4));
+    CHECK(body.fluid().viscous().rotation == near(9));
+}
+
+
 TEST_CASE("A neutrally buoyant body feels no weight", "[immersedBody]")
 {
     bodyLoad load;

@@ -21,29 +21,34 @@ TEST_CASE("Contact of this time step and of the one before", "[contactJump]")
     contactJump contact;
     const ddtCoefficients ddt("backward", 0.1, 0.1);
 
+    contact.setAdded(addedInertia{3, 1});
     contact.set(dU, dOmega, force);
     CHECK(contact.speed(2) == near(mag(dU) + 2*mag(dOmega)));
     CHECK(contact.force().linear == force.linear);
-    CHECK(difference(contact.ddtU(ddt), ddt.c*dU) < 1e-12);
+    CHECK(difference(contact.ddtMomentum(ddt, 2), 5*ddt.c*dU) < 1e-12);
 
     contact.begin();
     CHECK(contact.speed(2) == 0);
     CHECK(contact.force().linear == vector::zero);
     CHECK(contact.oldU() == dU);
     CHECK(contact.oldOmega() == dOmega);
-    CHECK(difference(contact.ddtOmega(ddt), -ddt.c00*dOmega) < 1e-12);
+
+    // It was accelerated with what was added then
+    contact.setAdded(addedInertia{0, 0});
+    CHECK(difference(contact.ddtSpin(ddt, 2), -3*ddt.c00*dOmega) < 1e-12);
 
     SECTION("which may be undone")
     {
         contact.undo();
         CHECK(contact.U() == dU);
         CHECK(contact.omega() == dOmega);
+        CHECK(contact.added().mass == 3);
     }
     SECTION("or forgotten")
     {
         contact.restart();
         CHECK(contact.oldU() == vector::zero);
-        CHECK(contact.ddtU(ddt) == vector::zero);
+        CHECK(contact.ddtMomentum(ddt, 2) == vector::zero);
     }
 }
 
@@ -56,11 +61,14 @@ TEST_CASE("Contact is written if there is any", "[contactJump]")
     contact.write(none);
     CHECK(none.str().empty());
 
+    contact.setAdded(addedInertia{3, 1});
     contact.set(dU, dOmega, force);
     contact.write(some);
     copy.read(dict(some.str()));
     CHECK(copy.U() == dU);
     CHECK(copy.omega() == dOmega);
+    CHECK(copy.added().mass == 3);
+    CHECK(copy.added().rotation == 1);
 }
 
 

@@ -44,3 +44,38 @@ TEST_CASE("A repeated time step begins with the cell sizes that it had")
     CHECK(bodies.cellsPerWidth(0) == before);
     CHECK(bodies[0].state().position == vector(0.2, 0.51, 0.52));
 }
+
+
+TEST_CASE("Where contact moves a body counts as its way")
+{
+    const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
+    testTools::boxMesh box;
+
+    box.x = {{
+        testTools::graded(8, 1, 1),
+        testTools::graded(8, 1, 1),
+        testTools::graded(8, 1, 1)
+    }};
+    box.sides = {{"zz", "zz", "zz"}};
+
+    const std::unique_ptr<fvMesh> mesh(box.make(time));
+
+    // At rest, with an overlap that contact takes away without a push
+    immersedBodies bodies
+    (
+        *mesh,
+        dict
+        (
+            "contact { type inelastic; } bodies { grain { shape { type sphere;"
+            " radius 0.01; } densityRatio 2; positions ((0.5 0.5 0.5)"
+            " (0.5195 0.5 0.5)); coupling unresolved; } }"
+        )
+    );
+
+    bodies.beginStep();
+    bodies.predict(false);
+    CHECK(bodies[0].state().U == vector::zero);
+
+    const scalar h = 0.02/bodies.cellsPerWidth(0);
+    CHECK(bodies.cellsOnTheWay(false)*h == testTools::near(0.00025));
+}

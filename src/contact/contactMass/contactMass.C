@@ -4,7 +4,7 @@
 
 Foam::vector Foam::contactMass::inverse(const immersedBody& body)
 {
-    const scalar ratio = body.densityRatio() + body.contact().addedMass();
+    const scalar ratio = body.densityRatio() + body.contact().added().mass;
 
     return body.isFree()
       ? body.status().freedom().U()/(ratio*body.volume())
@@ -24,7 +24,9 @@ Foam::tensor Foam::contactMass::inverseInertia
     }
 
     const bodyFreedom& free = body.status().freedom();
-    tensor I(body.densityRatio()*body.inertia(state));
+    const scalar ratio =
+        body.densityRatio() + body.contact().added().rotation;
+    tensor I(ratio*body.inertia(state));
 
     for (direction k = 0; k < 3; ++k)
     {

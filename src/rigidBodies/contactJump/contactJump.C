@@ -5,15 +5,27 @@
 // With both jumps taken off, c U - c0 U0 + c00 U00 is that of a smooth motion:
 // the one of the last step is missing in U00 only
 
-Foam::vector Foam::contactJump::ddtU(const ddtCoefficients& ddt) const
+Foam::vector Foam::contactJump::ddtMomentum
+(
+    const ddtCoefficients& ddt,
+    const scalar densityRatio
+) const
 {
-    return ddt.c*U_ - ddt.c00*oldU_;
+    return
+        ddt.c*(densityRatio + added_.mass)*U_
+      - ddt.c00*(densityRatio + oldAdded_.mass)*oldU_;
 }
 
 
-Foam::vector Foam::contactJump::ddtOmega(const ddtCoefficients& ddt) const
+Foam::vector Foam::contactJump::ddtSpin
+(
+    const ddtCoefficients& ddt,
+    const scalar densityRatio
+) const
 {
-    return ddt.c*omega_ - ddt.c00*oldOmega_;
+    return
+        ddt.c*(densityRatio + added_.rotation)*omega_
+      - ddt.c00*(densityRatio + oldAdded_.rotation)*oldOmega_;
 }
 
 
@@ -47,6 +59,7 @@ void Foam::contactJump::begin()
 {
     oldU_ = U_;
     oldOmega_ = omega_;
+    oldAdded_ = added_;
     clear();
 }
 
@@ -55,6 +68,7 @@ void Foam::contactJump::undo()
 {
     U_ = oldU_;
     omega_ = oldOmega_;
+    added_ = oldAdded_;
 }
 
 
@@ -62,6 +76,8 @@ void Foam::contactJump::read(const dictionary& dict)
 {
     U_ = dict.lookupOrDefault<vector>("contactVelocity", Zero);
     omega_ = dict.lookupOrDefault<vector>("contactSpin", Zero);
+    dict.readIfPresent("contactAddedMass", added_.mass);
+    dict.readIfPresent("contactAddedRotation", added_.rotation);
 }
 
 
@@ -71,5 +87,7 @@ void Foam::contactJump::write(Ostream& os) const
     {
         os.writeEntry("contactVelocity", U_);
         os.writeEntry("contactSpin", omega_);
+        os.writeEntry("contactAddedMass", added_.mass);
+        os.writeEntry("contactAddedRotation", added_.rotation);
     }
 }

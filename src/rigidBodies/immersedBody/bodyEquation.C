@@ -179,6 +179,27 @@ Foam::rigidMomentum Foam::bodyEquation::change
 }
 
 
+Foam::addedInertia Foam::bodyEquation::viscousInertia() const
+{
+    const vector turns(body_.kind().space().rotation());
+    const tensor I(body_.inertia(body_.state()));
+    const tensor response(tr(load_.aRowCol)*tensor::I - load_.aRowCol.T());
+    scalar sum = 0, inertia = 0;
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        sum += turns[k]*response(k, k);
+        inertia += turns[k]*I(k, k);
+    }
+
+    return addedInertia
+    {
+        max(load_.a/(ddt_.c*body_.volume()) - 1, 0),
+        max(sum/(ddt_.c*inertia) - 1, 0)
+    };
+}
+
+
 Foam::scalar Foam::bodyEquation::heldChange(const rigidMomentum& change) const
 {
     const bodyState& now = body_.state();

@@ -25,7 +25,7 @@ Foam::rigidMomentum Foam::immersedBody::contactTerm
 {
     return rigidMomentum
     {
-        (densityRatio() + contact_.addedMass())*volume()*contact_.ddtU(ddt),
-        densityRatio()*(inertia(state()) & contact_.ddtOmega(ddt))
+        volume()*contact_.ddtMomentum(ddt, densityRatio()),
+        inertia(state()) & contact_.ddtSpin(ddt, densityRatio())
     };
 }

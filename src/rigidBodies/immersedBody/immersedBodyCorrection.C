@@ -31,6 +31,10 @@ Foam::scalar Foam::immersedBody::correctVelocity
     {
         return held;
     }
+    if (resolved())
+    {
+        fluid_.setViscous(equation.viscousInertia());
+    }
 
     const rigidMomentum change(equation.change(g, addedMass));
     const vector& dU = change.linear;

@@ -38,6 +38,11 @@ void Foam::immersedBody::readState(const dictionary& dict)
         fluid_.setEddy(turbulentEddy(dict.subDict("eddy")));
     }
 
+    addedInertia viscous{0, 0};
+    dict.readIfPresent("viscousMass", viscous.mass);
+    dict.readIfPresent("viscousRotation", viscous.rotation);
+    fluid_.setViscous(viscous);
+
     motion_.read(dict);
     contact_.read(dict);
 
@@ -93,6 +98,11 @@ void Foam::immersedBody::writeState(Ostream& os) const
         // What the next step compares the load with, see bodyEquation
         os.writeEntry("heldForce", fluid_.load().linear);
         os.writeEntry("heldTorque", fluid_.load().angular);
+    }
+    if (fluid_.viscous().mass > 0)
+    {
+        os.writeEntry("viscousMass", fluid_.viscous().mass);
+        os.writeEntry("viscousRotation", fluid_.viscous().rotation);
     }
     if (fluid_.eddy().number > 0)
     {

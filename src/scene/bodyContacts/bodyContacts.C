@@ -60,7 +60,14 @@ void Foam::bodyContacts::advance
 
     for (immersedBody& body : bodies)
     {
-        body.contact().setAddedMass(addedMass_);
+        const addedInertia alone{addedMass_, 0};
+
+        body.contact().setAdded
+        (
+            model_->implicit() && body.resolved()
+          ? alone + body.fluid().viscous()
+          : alone
+        );
     }
 
     model_->advance(bodies, h, walls_(), periodicity_, dt, meshU);

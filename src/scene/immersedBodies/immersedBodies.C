@@ -250,8 +250,17 @@ Foam::scalar Foam::immersedBodies::cellsOnTheWay(const bool resolved) const
         if (body.resolved() == resolved)
         {
             const scalar h = body.shape().width()/cellsPerWidth(bodyi);
+            const vector moved
+            (
+                body.state().position - body.motion().old().position
+            );
 
-            most = max(most, dt*body.maxSpeed(window_.velocity())/h);
+            // Contact may move it further than its velocities say
+            most = max
+            (
+                most,
+                max(dt*body.maxSpeed(window_.velocity()), mag(moved))/h
+            );
         }
     }
 

@@ -140,8 +140,8 @@ Foam::scalar Foam::resolvedBodies::correct
             continue;
         }
 
-        // One that is all but outside the mesh has nothing to go by
-        const scalar change = !body.isFree() || loads_.inMesh(bodyi)
+        // One outside the mesh, or nearly so, has nothing to go by
+        const scalar change = !body.isFree() || loads_.known(bodyi)
           ? body.correctVelocity(loads_[bodyi], solved.ddt, g_, addedMass)
           : 0;
 
