@@ -9,6 +9,10 @@
 
 namespace
 {
+    //- Part of the last change of the pressure that goes on, at most: all of
+    //  it would make three times as much of what alternates from step to step
+    const Foam::scalar maxTrend = 0.85;
+
     //- Values on the patches whose faces are no faces between two cells
     Foam::scalarField patchValues(const Foam::volScalarField& field)
     {
@@ -116,7 +120,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
      && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
 
-    return can ? max(1 - 1/max(viscousReach_, SMALL), 0) : 0;
+    return can ? min(max(1 - 1/max(viscousReach_, SMALL), 0), maxTrend) : 0;
 }
 
 
