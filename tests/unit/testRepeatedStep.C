@@ -7,21 +7,31 @@
 using namespace Foam;
 using testTools::dict;
 
-
-TEST_CASE("A repeated time step begins with the cell sizes that it had")
+namespace
 {
-    const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
+
+//- A cube of side 1 whose cells grow along x, each by this factor
+std::unique_ptr<fvMesh> makeBox(const Time& time, const scalar growth)
+{
     testTools::boxMesh box;
 
-    // The cells grow along x
     box.x = {{
-        testTools::graded(8, 1, 1.3),
+        testTools::graded(8, 1, growth),
         testTools::graded(8, 1, 1),
         testTools::graded(8, 1, 1)
     }};
     box.sides = {{"zz", "zz", "zz"}};
 
-    const std::unique_ptr<fvMesh> mesh(box.make(time));
+    return box.make(time);
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("A repeated time step begins with the cell sizes that it had")
+{
+    const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
+    const std::unique_ptr<fvMesh> mesh(makeBox(time, 1.3));
 
     // Half a metre in the step
     immersedBodies bodies
@@ -49,16 +59,7 @@ TEST_CASE("A repeated time step begins with the cell sizes that it had")
 TEST_CASE("Where contact moves a body counts as its way")
 {
     const Time time(dict("deltaT 0.1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-
-    box.x = {{
-        testTools::graded(8, 1, 1),
-        testTools::graded(8, 1, 1),
-        testTools::graded(8, 1, 1)
-    }};
-    box.sides = {{"zz", "zz", "zz"}};
-
-    const std::unique_ptr<fvMesh> mesh(box.make(time));
+    const std::unique_ptr<fvMesh> mesh(makeBox(time, 1));
 
     // At rest, with an overlap that contact takes away without a push
     immersedBodies bodies
