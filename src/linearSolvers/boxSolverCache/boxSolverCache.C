@@ -82,6 +82,15 @@ const Foam::boxSolver* Foam::boxSolverCache::make
 }
 
 
+void Foam::boxSolverCache::prepare(const lduMatrix::solver& solver) const
+{
+    if (!said_.found(solver.fieldName()))
+    {
+        make(solver);
+    }
+}
+
+
 void Foam::boxSolverCache::refuse
 (
     const word& fieldName,

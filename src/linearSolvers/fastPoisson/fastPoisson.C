@@ -293,6 +293,8 @@ Foam::solverPerformance Foam::fastPoisson::solve
 
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_))
     {
+        // Others precondition with it from now on, as at rest in the first step
+        boxSolverCache::New(*mesh).prepare(*this);
         return performance;
     }
 
