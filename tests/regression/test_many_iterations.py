@@ -24,14 +24,15 @@ def all_converge(case, run):
 
 
 @pytest.mark.parametrize("shape, ratio, most", [
-    ("disc", 0.01, 10), ("disc", 0.5, 8), ("disc", 1.01, 6), ("disc", 2, 6),
+    ("disc", 0.01, 9), ("disc", 0.5, 7), ("disc", 1.01, 6), ("disc", 2, 6),
     ("sphere", 0.01, 8), ("sphere", 0.5, 7), ("sphere", 1.01, 5),
 ])
 def test_release(shape, ratio, most, tmp_path, monkeypatch):
     """Not within 30 iterations where they are not combined; 58 at ratio 2. Without
     added mass in the Newton step 22 at ratio 1.01. With that of a disc alone, and
     layers that respond by a tenth at least, 19 at ratio 0.5, 7 at 1.01 and 2. Where
-    the pressure in the layers is not found ahead 26 at ratio 0.01."""
+    the pressure in the layers is not found ahead 26 at ratio 0.01, where it is
+    found within a tenth only 15."""
     monkeypatch.setattr(kissing, "RELEASED", 3)
     case, run = kissing.release(tmp_path, shape, ratio)
     all_converge(case, run)

@@ -8,12 +8,18 @@
 #include "fvmLaplacian.H"
 #include "PCG.H"
 #include "surfaceInterpolate.H"
+#include <algorithm>
 
 namespace
 {
     //- Residual, over the first, and conjugate gradients that are enough
     const Foam::scalar relTol = 0.1;
     const Foam::label maxIter = 10;
+
+    //- The same where no pressure is known yet: from rest all of it is found at
+    //  once, and light bodies feel what is left
+    const Foam::scalar relTolAtRest = 0.01;
+    const Foam::label maxIterAtRest = 20;
 }
 
 
@@ -96,8 +102,16 @@ bool Foam::layerProjection::direct(const dictionary& ofPressure) const
 }
 
 
-Foam::dictionary Foam::layerProjection::preconditioned() const
+Foam::dictionary Foam::layerProjection::preconditioned
+(
+    const scalarField& p
+) const
 {
+    const bool known = std::any_of
+    (
+        p.begin(), p.end(), [](const scalar value){ return value != 0; }
+    );
+    const bool atRest = !returnReduce(known, orOp<bool>());
     dictionary preconditioner, controls;
 
     preconditioner.add("preconditioner", fastPoissonPreconditioner::typeName);
@@ -105,8 +119,8 @@ Foam::dictionary Foam::layerProjection::preconditioned() const
 
     controls.add("solver", PCG::typeName);
     controls.add("preconditioner", preconditioner);
-    controls.add("relTol", relTol);
-    controls.add("maxIter", maxIter);
+    controls.add("relTol", atRest ? relTolAtRest : relTol);
+    controls.add("maxIter", atRest ? maxIterAtRest : maxIter);
 
     return controls;
 }
@@ -138,7 +152,7 @@ void Foam::layerProjection::correct
 
     if (direct(ofPressure))
     {
-        equation.solve(preconditioned());
+        equation.solve(preconditioned(p));
     }
     else
     {
