@@ -293,7 +293,7 @@ Foam::solverPerformance Foam::fastPoisson::solve
 
     if (minIter_ <= 0 && performance.checkConvergence(tolerance_, relTol_))
     {
-        // Others precondition with it from now on, as at rest in the first step
+        // fastPoissonPreconditioner of other fields may need it next
         boxSolverCache::New(*mesh).prepare(*this);
         return performance;
     }
