@@ -76,6 +76,17 @@ def test_compilers_are_read_from_programs(tmp_path):
     assert given.compiler(file) == "compiler unknown"
 
 
+def test_programs_keep_the_memory_that_they_free(tmp_path):
+    program = stand_in(tmp_path, """
+        import os
+        for name in ("MMAP_MAX", "TRIM_THRESHOLD"):
+            print(name, os.environ[f"MALLOC_{name}_"])
+    """)
+    assert given.run([program], tmp_path).log.splitlines() == [
+        "MMAP_MAX 0", f"TRIM_THRESHOLD {1 << 40}",
+    ]
+
+
 def test_the_start_of_a_program_does_not_count():
     def timed(steps):
         return given.Done(100 + 0.5*steps, "", 0), steps

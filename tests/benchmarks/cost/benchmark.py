@@ -29,8 +29,9 @@ PROJECTED = "coupling { fluid projected; }"
 
 
 def solve(case, mesh, command, settings, ranks=1, crowd=(0, 0), fixed=False,
-          direct=False, projected=False):
-    """Run a copy of the case with so many bodies of such a diameter."""
+          direct=False, projected=False, steps=None):
+    """Run a copy of the case with so many bodies of such a diameter. steps: of
+    the run, if another number than TimedRun takes."""
     number, diameter = crowd
     kind = "fixed" if fixed else "free"
     pressure = "fastPoisson" if direct else "GAMG"
@@ -53,7 +54,7 @@ def solve(case, mesh, command, settings, ranks=1, crowd=(0, 0), fixed=False,
         copy.decompose(ranks)
     return TimedRun(
         copy, command, f"{settings}, {pressure}", diameter or None,
-        mesh.cells, ranks,
+        mesh.cells, ranks, steps,
     )
 
 

@@ -26,13 +26,15 @@ class TimedRun(Result):
     runs.
 
     step: time per step [ms], without the last, which writes; parts: that of
-    PARTS; memory [kB] per cell, on the rank with most; outers: their mean.
+    PARTS; memory [kB] per cell, on the rank with most; outers: their mean;
+    steps: those that are timed, by default so many that a run is short.
     Times are those of the processor, of the first rank. exchange: time in MPI
     per step, mean of the ranks [ms].
     """
 
-    def __init__(self, case, command, settings, D_over_h, cells, ranks=1):
-        steps = min(MOST, max(6, round(WORK/cells)))
+    def __init__(self, case, command, settings, D_over_h, cells, ranks=1,
+                 steps=None):
+        steps = steps or min(MOST, max(6, round(WORK/cells)))
         super().__init__(
             settings, D_over_h, cells, WARM + steps, solver=command[-1]
         )

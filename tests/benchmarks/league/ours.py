@@ -50,15 +50,22 @@ def crowd(program, folder, scene, fixed):
 
 
 def fluid(program, folder, scene):
-    """Rows of fluid alone."""
+    """Rows of fluid alone, then with a sphere in it, fixed and free."""
     module = Report.load(BENCHMARKS/"cost")
     mesh = module.Box(scene.n, scene.n, scene.n)
     place = folder/f"fluid_{scene.n}"
     place.mkdir()
-    run = module.solve(
-        module.make(place, mesh, "mesh"), mesh, module.IMMERSED,
-        f"fluid alone, {scene.n}^3", direct=True, projected=True,
-    )
-    run.solver = {}
-    yield run.row("s per step", 1e-3*run.step)
-    yield run.row("ns per cell and step", 1e6*run.step/run.cells)
+    case = module.make(place, mesh, "mesh")
+    one = (1, scene.n//8)
+    for what, options in (
+        ("fluid alone", {"projected": True}),
+        ("one fixed sphere", {"crowd": one, "fixed": True}),
+        ("one free sphere", {"crowd": one}),
+    ):
+        run = module.solve(
+            case, mesh, module.IMMERSED, f"{what}, {scene.n}^3", direct=True,
+            steps=scene.steps, **options,
+        )
+        run.solver = {}
+        yield run.row("s per step", 1e-3*run.step)
+        yield run.row("ns per cell and step", 1e6*run.step/run.cells)

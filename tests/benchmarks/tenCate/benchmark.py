@@ -27,7 +27,7 @@ FULL = (
     *((name, 8, False) for name in CASES), ("E4", 8, True),
     *((name, 10, False) for name in CASES), ("E4", 16, False),
     ("E1", 10, True), ("E1", 10, False, 0.75),
-    ("E4", 10, True), ("E4", 10, True, 0.6), ("E4", 10, True, 1),
+    ("E4", 10, True), ("E4", 10, True, 0.75), ("E4", 10, True, 1),
 )
 DIAMETER, GAP, WIDTH, HEIGHT = 0.015, 0.120, 0.100, 0.160
 GRAVITY = 9.81
