@@ -71,12 +71,17 @@ public:
             dimensionedVector(dimVelocity, Zero)
         )
     {
-        bodies_.append(autoPtr<immersedBody>(new immersedBody(bodyTools::makeBody
+        const immersedBody sphere
         (
-            "densityRatio 1; velocity (" + name(move.x()) + ' '
-          + name(move.y()) + ' ' + name(move.z()) + ");",
-            bodyTools::space, 1, point(1.1, 0.97, 1.03)
-        ))));
+            bodyTools::makeBody
+            (
+                "densityRatio 1; velocity (" + name(move.x()) + ' '
+              + name(move.y()) + ' ' + name(move.z()) + ");",
+                bodyTools::space, 1, point(1.1, 0.97, 1.03)
+            )
+        );
+
+        bodies_.append(autoPtr<immersedBody>(new immersedBody(sphere)));
         regions_.set(0, new bodyRegion(0));
 
         // Time steps of one second

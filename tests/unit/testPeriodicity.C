@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "testTools.H"
+#include "bodyTools.H"
 #include "boxMesh.H"
-#include "immersedBody.H"
 #include "meshProperties.H"
 #include "periodicity.H"
 #include "contactPoint.H"
@@ -161,19 +160,11 @@ TEST_CASE("Periods of a mesh", "[periodicity][parallel]")
 
 TEST_CASE("Gap to an image", "[periodicity][contact]")
 {
-    const geometricSpace threeD(-1);
-
-    auto body = [&](const std::string& text, const point& position)
+    auto body = [](const std::string& text, const point& position)
     {
-        return immersedBody
+        return bodyTools::bodyOfShape
         (
-            "grain",
-            std::make_shared<const bodyKind>
-            (
-                testTools::dict("densityRatio 1;"),
-                testTools::shape(text, threeD), threeD, 1
-            ),
-            position
+            text, "densityRatio 1;", bodyTools::space, 1, position
         );
     };
 

@@ -29,6 +29,23 @@ fluidSample flow(const tensor& grad, const vector& U, const scalar nu)
     return sample;
 }
 
+
+//- A grain of a form in a fluid that does not resolve it
+immersedBody unresolved
+(
+    const std::string& form,
+    const std::string& text,
+    const quaternion& orientation
+)
+{
+    immersedBody body(bodyTools::bodyOfShape(form, text, space, -1));
+
+    bodyTools::orient(body, orientation);
+    body.status().setResolved(false);
+
+    return body;
+}
+
 } // End anonymous namespace
 
 
@@ -47,18 +64,12 @@ TEST_CASE("A free ellipsoid turns as Jeffery has it", "[shapes]")
         INFO("angle " << angle);
         immersedBody body
         (
-            "grain",
-            std::make_shared<const bodyKind>
+            unresolved
             (
-                dict("densityRatio 1.0001;"),
-                shape(ellipsoid(a, b, b), space), space, -1
-            ),
-            point::zero
+                ellipsoid(a, b, b), "densityRatio 1.0001;",
+                quaternion(vector(0, 0, 1), angle)
+            )
         );
-        bodyState state(body.state());
-        state.orientation = quaternion(vector(0, 0, 1), angle);
-        body.setState(state);
-        body.status().setResolved(false);
         body.beginStep();
 
         const fluidSample fluid(flow(shear, Zero, nu));
@@ -87,18 +98,12 @@ TEST_CASE("An inclined spheroid falls sideways in Stokes flow", "[shapes]")
     const auto m = model("ellipsoid", ellipsoid(a, b, b));
     immersedBody body
     (
-        "grain",
-        std::make_shared<const bodyKind>
+        unresolved
         (
-            dict("densityRatio 3;"),
-            shape(ellipsoid(a, b, b), space), space, -1
-        ),
-        point::zero
+            ellipsoid(a, b, b), "densityRatio 3;",
+            quaternion(vector(0, 1, 0), angle)
+        )
     );
-    bodyState state(body.state());
-    state.orientation = quaternion(vector(0, 1, 0), angle);
-    body.setState(state);
-    body.status().setResolved(false);
 
     // Steps that are long beside the time drag takes, in which it does not turn
     const ddtCoefficients ddt("Euler", 1e6, 1e6);

@@ -30,8 +30,8 @@ PROJECTED = "coupling { fluid projected; }"
 
 def solve(case, mesh, command, settings, ranks=1, crowd=(0, 0), fixed=False,
           direct=False, projected=False, steps=None):
-    """Run a copy of the case with so many bodies of such a diameter. steps: of
-    the run, if another number than TimedRun takes."""
+    """Run a copy of the case with so many bodies of such a diameter. steps:
+    see TimedRun."""
     number, diameter = crowd
     kind = "fixed" if fixed else "free"
     pressure = "fastPoisson" if direct else "GAMG"

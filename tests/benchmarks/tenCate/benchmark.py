@@ -87,7 +87,8 @@ def solve(folder, name, cells, whole, courant=COURANT):
 
 
 def plot(curves):
-    """Gap and velocity against time, a line for each run."""
+    """Gap and velocity against time, a line for each run, of one colour for
+    each case; the largest velocity measured."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
@@ -95,15 +96,21 @@ def plot(curves):
     figure, axes = pyplot.subplots(
         1, 2, figsize=(11, 4.5), layout="constrained"
     )
-    for label, (time, gap, speed) in curves.items():
-        axes[0].plot(time, gap, label=label)
-        axes[1].plot(time, -speed)
+    for i, (name, (*_, fastest, _)) in enumerate(CASES.items()):
+        runs = [run for label, run in curves.items() if name in label]
+        for time, gap, speed in runs:
+            axes[0].plot(time, gap, color=f"C{i}", linewidth=1)
+            axes[1].plot(time, -speed, color=f"C{i}", linewidth=1)
+        if runs:
+            axes[0].plot([], color=f"C{i}", label=f"{name}, {len(runs)} runs")
+            axes[1].axhline(-fastest, color=f"C{i}", linestyle=":")
+    axes[1].plot([], color="black", linestyle=":", label="largest, measured")
     axes[0].set_ylabel("gap / diameter")
     axes[1].set_ylabel("velocity [m/s]")
     for ax in axes:
         ax.set_xlabel("time [s]")
         ax.grid(alpha=0.3)
-    axes[0].legend(fontsize=7)
+        ax.legend(loc="upper right")
     PLOT.parent.mkdir(exist_ok=True)
     figure.savefig(PLOT, dpi=150)
     pyplot.close(figure)
