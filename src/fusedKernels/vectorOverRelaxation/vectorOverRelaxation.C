@@ -2,6 +2,7 @@
 
 #include "vectorOverRelaxation.H"
 #include "addToRunTimeSelectionTable.H"
+#include "rowProducts.H"
 
 namespace Foam
 {
@@ -16,16 +17,6 @@ namespace Foam
 
 namespace
 {
-    inline Foam::vector scaled(const Foam::vector& v, const Foam::scalar d)
-    {
-        return d*v;
-    }
-
-    inline Foam::vector scaled(const Foam::vector& v, const Foam::vector& d)
-    {
-        return Foam::cmptMultiply(v, d);
-    }
-
     inline Foam::scalar largest(const Foam::scalar d)
     {
         return d;

@@ -135,9 +135,13 @@ void Foam::vectorSmoothSolver::addCoupled
 }
 
 
-Foam::vector Foam::vectorSmoothSolver::scaledResidual(const vector& norm) const
+Foam::vector Foam::vectorSmoothSolver::scaledResidual
+(
+    const vector& sumMag,
+    const vector& norm
+) const
 {
-    const vector sum(returnReduce(sumMag_, sumOp<vector>()));
+    const vector sum(returnReduce(sumMag, sumOp<vector>()));
 
     return cmptDivide(cmptMultiply(sum, solved_), norm);
 }
@@ -203,34 +207,13 @@ void Foam::vectorSmoothSolver::weigh
 void Foam::vectorSmoothSolver::follow(const tmp<vectorField>& trend)
 {
     trend_ = trend;
-}
 
-
-void Foam::vectorSmoothSolver::followTrend(const vector& norm)
-{
-    const auto add = [this](const scalar part)
+    if (solved_ != vector::one)
     {
-        vectorField& values = psi_.primitiveFieldRef();
-
-        forAll(values, celli)
+        for (vector& change : trend_.ref())
         {
-            values[celli] += part*cmptMultiply(solved_, trend_()[celli]);
+            change = cmptMultiply(solved_, change);
         }
-        updateCoupled();
-        begin();
-    };
-
-    add(1);
-
-    const vector residual(scaledResidual(norm));
-
-    if (cmptSum(residual) < cmptSum(performance_.initialResidual()))
-    {
-        performance_.finalResidual() = residual;
-    }
-    else
-    {
-        add(-1);
     }
 }
 
@@ -253,14 +236,6 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
     const vector norm(begin());
     label n = 0;
 
-    performance_.initialResidual() = scaledResidual(norm);
-    performance_.finalResidual() = performance_.initialResidual();
-
-    if (trend_.valid())
-    {
-        followTrend(norm);
-    }
-
     // Beyond `diverged` numbers would overflow
     while
     (
@@ -273,7 +248,7 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
             sweep();
         }
         n += nSweeps;
-        performance_.finalResidual() = scaledResidual(norm);
+        performance_.finalResidual() = scaledResidual(sumMag_, norm);
     }
 
     performance_.nIterations() = Vector<label>::uniform(n);

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "vectorSmoothSolver.H"
+#include "rowProducts.H"
 
 namespace
 {
-    //- Components of |v|
-    inline void addMag(Foam::vector& sum, const Foam::vector& v)
-    {
-        sum += Foam::cmptMag(v);
-    }
-
-
     // The diagonal of a row: one number, or one for each component
 
     inline Foam::scalar reciprocal(const Foam::scalar d)
@@ -31,16 +25,6 @@ namespace
     inline void increase(Foam::vector& d, const Foam::vector& part)
     {
         d += part;
-    }
-
-    inline Foam::vector scaled(const Foam::vector& v, const Foam::scalar d)
-    {
-        return d*v;
-    }
-
-    inline Foam::vector scaled(const Foam::vector& v, const Foam::vector& d)
-    {
-        return Foam::cmptMultiply(v, d);
     }
 }
 
@@ -100,74 +84,6 @@ void Foam::vectorSmoothSolver::setDiagonal()
     {
         setDiagonal(diags_, rDiags_);
     }
-}
-
-
-template<class Diagonal>
-Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& diag)
-{
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
-    const scalarField& lower = matrix_.lower();
-    const scalarField& upper = matrix_.upper();
-    const vectorField& psi = psi_.primitiveField();
-    const vector mean(gAverage(psi));
-    scalarField sumA(work_.size(), Zero);
-
-    work_ = Zero;
-    addCoupled(-1, coupledProducts(), work_);
-
-    forAll(psi_.boundaryField(), patchi)
-    {
-        if (psi_.boundaryField()[patchi].coupled())
-        {
-            const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
-            const vectorField& coeffs = matrix_.boundaryCoeffs()[patchi];
-
-            // The same for all components where patches are coupled
-            forAll(coeffs, i)
-            {
-                sumA[cells[i]] -= coeffs[i].x();
-            }
-        }
-    }
-
-    vector sum(Zero);
-    sumMag_ = Zero;
-
-    // Faces are in the order of their owners: when its turn comes a row has got
-    // all that its lower neighbours add to it
-    forAll(sumA, celli)
-    {
-        const vector& x = psi[celli];
-        vector Ax(work_[celli] + scaled(x, diag[celli]));
-        scalar rowSum = sumA[celli];
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            const label n = u[facei];
-
-            Ax += upper[facei]*psi[n];
-            rowSum += upper[facei];
-            work_[n] += lower[facei]*x;
-            sumA[n] += lower[facei];
-        }
-
-        const vector reference(rowSum*mean + scaled(mean, diag[celli]));
-
-        addMag(sum, weight(celli)*(Ax - reference));
-        addMag(sum, weight(celli)*(source_[celli] - reference));
-        addMag(sumMag_, weight(celli)*(source_[celli] - Ax));
-    }
-
-    return returnReduce(sum, sumOp<vector>())
-      + vector::uniform(solverPerformance::small_);
-}
-
-
-Foam::vector Foam::vectorSmoothSolver::begin()
-{
-    return diags_.empty() ? begin(diag_) : begin(diags_);
 }
 
 
