@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxMesh.H"
+#include "alignedFaces.H"
 #include "fusedKernels.H"
 #include "linearTransport.H"
 #include "randomFlow.H"
@@ -77,40 +78,69 @@ scalar difference(const fvVectorMatrix& a, const fvVectorMatrix& b)
 } // End anonymous namespace
 
 
+TEST_CASE("Faces across axes have the shapes of the mesh", "[fusedKernels]")
+{
+    const scalar shear = GENERATE(0., 0.4);
+    const randomFlow box("orthogonal", shear);
+    const fvMesh& mesh = *box.mesh;
+    const alignedFaces& aligned = alignedFaces::New(mesh);
+
+    CHECK(aligned.valid() == (shear == 0));
+
+    for
+    (
+        label facei = 0;
+        aligned.valid() && facei < mesh.nInternalFaces();
+        ++facei
+    )
+    {
+        const auto& shape = aligned.of(facei);
+        vector S(Zero);
+
+        S[shape.axis] = aligned.area(facei, shape);
+        CHECK(mag(S - mesh.Sf()[facei]) < 1e-13*mesh.magSf()[facei]);
+        CHECK(mag(shape.weight - mesh.weights()[facei]) < 1e-13);
+        CHECK
+        (
+            mag(shape.deltaCoeff/mesh.deltaCoeffs()[facei] - 1) < 1e-13
+        );
+    }
+}
+
+
 TEST_CASE("The smoothed flux is that of fields", "[fusedKernels]")
 {
-    for (const std::string snGrad : {"corrected", "uncorrected"})
+    const std::string snGrad(GENERATE("corrected", "uncorrected"));
+    const scalar shear = GENERATE(0.4, 0.);
+    randomFlow flow(snGrad, shear);
+    const smoothedFlux flux(flow.U, flow.p, flow.gradP, flow.tau);
+    surfaceScalarField fused(0*flow.phi), plain(0*flow.phi);
+
+    flux.set(fused);
     {
-        randomFlow flow(snGrad);
-        const smoothedFlux flux(flow.U, flow.p, flow.gradP, flow.tau);
-        surfaceScalarField fused(0*flow.phi), plain(0*flow.phi);
-
-        flux.set(fused);
-        {
-            const plainForms off;
-            flux.set(plain);
-        }
-        CHECK(gMax(mag(plain.primitiveField())()) > 0.1);
-        CHECK(difference(fused, plain) < 1e-13);
-
-        // Some of the faces, and the others stay
-        const label n = flow.mesh->nFaces()/2;
-        surfaceScalarField some(0*flow.phi), somePlain(0*flow.phi);
-        labelList faces(n);
-
-        forAll(faces, i)
-        {
-            faces[i] = 2*i;
-        }
-        flux.set(faces, some);
-        {
-            const plainForms off;
-            flux.set(faces, somePlain);
-        }
-        CHECK(difference(some, somePlain) < 1e-13);
-        CHECK(some[1] == 0);
-        CHECK(some[2] == fused[2]);
+        const plainForms off;
+        flux.set(plain);
     }
+    CHECK(gMax(mag(plain.primitiveField())()) > 0.1);
+    CHECK(difference(fused, plain) < 1e-13);
+
+    // Some of the faces, and the others stay
+    const label n = flow.mesh->nFaces()/2;
+    surfaceScalarField some(0*flow.phi), somePlain(0*flow.phi);
+    labelList faces(n);
+
+    forAll(faces, i)
+    {
+        faces[i] = 2*i;
+    }
+    flux.set(faces, some);
+    {
+        const plainForms off;
+        flux.set(faces, somePlain);
+    }
+    CHECK(difference(some, somePlain) < 1e-13);
+    CHECK(some[1] == 0);
+    CHECK(some[2] == fused[2]);
 }
 
 

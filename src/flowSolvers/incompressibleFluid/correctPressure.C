@@ -4,12 +4,12 @@
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "faceSums.H"
 #include "fvcDdt.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
 #include "fvcMeshPhi.H"
 #include "fvcSnGrad.H"
-#include "fvcSurfaceIntegrate.H"
 #include "fvmLaplacian.H"
 #include "LeesEdwardsFlux.H"
 #include "profiling.H"
@@ -17,9 +17,7 @@
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 {
-    scalarField contErr(mesh_.nCells(), Zero);
-    fvc::surfaceIntegrate(contErr, phi_);
-    continuityErrors(contErr);
+    continuityErrors(divergence(phi_));
 }
 
 

@@ -15,6 +15,7 @@ Foam::smoothedFlux::smoothedFlux
 )
 :
     mesh_(U.mesh()),
+    aligned_(alignedFaces::New(mesh_)),
     owner_(mesh_.owner()),
     neighbour_(mesh_.neighbour()),
     weights_(mesh_.weights()),
@@ -41,6 +42,25 @@ Foam::smoothedFlux::smoothedFlux
     {
         correction_ = &mesh_.nonOrthCorrectionVectors();
     }
+}
+
+
+Foam::scalar Foam::smoothedFlux::alignedFace
+(
+    const label facei,
+    const label o,
+    const vector& own
+) const
+{
+    const label n = neighbour_[facei];
+    const alignedFaces::shape& shape = aligned_.of(facei);
+    const scalar w = shape.weight;
+    const scalar tau = w*tau_[o] + (1 - w)*tau_[n];
+    const scalar other =
+        U_[n][shape.axis] + tau_[n]*gradP_[n][shape.axis];
+
+    return aligned_.area(facei, shape)*(w*own[shape.axis] + (1 - w)*other)
+      - tau*shape.deltaCoeff*(p_[n] - p_[o])*magSf_[facei];
 }
 
 
@@ -159,7 +179,9 @@ void Foam::smoothedFlux::set(surfaceScalarField& phi) const
         for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
         {
             inside[facei] =
-                internal(facei, own, smoothed(neighbour_[facei]));
+                aligned_.valid()
+              ? alignedFace(facei, celli, own)
+              : internal(facei, own, smoothed(neighbour_[facei]));
         }
     }
 
@@ -185,6 +207,16 @@ void Foam::smoothedFlux::set
     scalarField& inside = phi.primitiveFieldRef();
     tmp<surfaceScalarField> all;
 
+    const auto one = [this](const label facei)
+    {
+        const label o = owner_[facei];
+
+        return
+            aligned_.valid()
+          ? alignedFace(facei, o, smoothed(o))
+          : internal(facei, smoothed(o), smoothed(neighbour_[facei]));
+    };
+
     if (!fusedKernels::active)
     {
         all = plain();
@@ -194,15 +226,7 @@ void Foam::smoothedFlux::set
     {
         if (mesh_.isInternalFace(facei))
         {
-            inside[facei] =
-                all.valid()
-              ? all()[facei]
-              : internal
-                (
-                    facei,
-                    smoothed(owner_[facei]),
-                    smoothed(neighbour_[facei])
-                );
+            inside[facei] = all.valid() ? all()[facei] : one(facei);
             continue;
         }
 
