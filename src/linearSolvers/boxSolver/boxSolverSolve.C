@@ -73,7 +73,10 @@ void Foam::boxSolver::solve
 
     if (floating())
     {
-        b -= excess*volumeShare_;
+        forAll(b, celli)
+        {
+            b[celli] -= excess*volumeShare_[celli];
+        }
     }
     else if (laplacian_.referenceCell() >= 0)
     {

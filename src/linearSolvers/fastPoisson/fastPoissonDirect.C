@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fastPoisson.H"
+#include "PstreamReduceOps.H"
+
+namespace
+{
+    bool anyNonZero(const Foam::scalarField& psi)
+    {
+        bool any = false;
+
+        for (const Foam::scalar x : psi)
+        {
+            any = x != 0;
+
+            if (any)
+            {
+                break;
+            }
+        }
+
+        return Foam::returnReduce(any, Foam::orOp<bool>());
+    }
+}
+
+
+Foam::fastPoisson::solution::solution
+(
+    scalarField& psi,
+    const scalarField& source,
+    const direction cmpt,
+    const solverPerformance& performance
+)
+:
+    psi(psi),
+    source(source),
+    cmpt(cmpt),
+    start(anyNonZero(psi) ? new scalarField(psi) : nullptr),
+    residual(psi.size()),
+    norm(1),
+    performance(performance)
+{}
+
+
+Foam::scalar Foam::fastPoisson::setResidual(solution& x) const
+{
+    matrix_.residual
+    (
+        x.residual,
+        x.psi,
+        x.source,
+        interfaceBouCoeffs_,
+        interfaces_,
+        x.cmpt
+    );
+
+    return gSumMag(x.residual)/x.norm;
+}
+
+
+void Foam::fastPoisson::begin(solution& x) const
+{
+    if (x.start.valid())
+    {
+        scalarField work(x.psi.size());
+
+        matrix_.Amul
+        (
+            x.residual, x.psi, interfaceBouCoeffs_, interfaces_, x.cmpt
+        );
+        x.norm = normFactor(x.psi, x.source, x.residual, work);
+        x.residual = x.source - x.residual;
+        x.performance.initialResidual() = gSumMag(x.residual)/x.norm;
+    }
+    else
+    {
+        // The same without the products with zero
+        scalar sum = 0;
+
+        forAll(x.residual, celli)
+        {
+            x.residual[celli] = x.source[celli];
+            sum += mag(x.source[celli]);
+        }
+        reduce(sum, sumOp<scalar>());
+
+        x.norm = sum + solverPerformance::small_;
+        x.performance.initialResidual() = sum/x.norm;
+    }
+
+    x.performance.finalResidual() = x.performance.initialResidual();
+}
+
+
+void Foam::fastPoisson::beginAgain(solution& x) const
+{
+    if (x.start.valid())
+    {
+        x.psi = x.start();
+        x.performance.finalResidual() = setResidual(x);
+    }
+    else
+    {
+        x.psi = Zero;
+        x.residual = x.source;
+        x.performance.finalResidual() = x.performance.initialResidual();
+    }
+}
+
+
+Foam::scalar Foam::fastPoisson::attainable
+(
+    const boxSolver& direct,
+    const solution& x
+) const
+{
+    const scalar rounding = 1e-14*gSum(mag(matrix_.diag()*x.psi)());
+    const scalar inconsistency = direct.floating() ? mag(gSum(x.source)) : 0;
+
+    return 1.01*(rounding + inconsistency)/x.norm;
+}
+
+
+bool Foam::fastPoisson::refine(const boxSolver& direct, solution& x) const
+{
+    const label maxSolutions = 4;
+    scalarField correction;
+
+    for (label i = 0; i < maxSolutions; ++i)
+    {
+        const scalar before = x.performance.finalResidual();
+
+        if (i == 0 && !x.start.valid())
+        {
+            direct.solve(matrix_, x.residual, x.psi);
+        }
+        else
+        {
+            correction.resize(x.psi.size());
+            direct.solve(matrix_, x.residual, correction);
+            x.psi += correction;
+        }
+
+        x.performance.finalResidual() = setResidual(x);
+        ++x.performance.nIterations();
+
+        if (x.performance.checkConvergence(tolerance_, relTol_))
+        {
+            return true;
+        }
+
+        if (!(x.performance.finalResidual() < 0.01*before))
+        {
+            return x.performance.finalResidual() < attainable(direct, x);
+        }
+    }
+
+    return true;
+}
+
+
+bool Foam::fastPoisson::solveDirectly(const polyMesh& mesh, solution& x) const
+{
+    const boxSolverCache& cache = boxSolverCache::New(mesh);
+    const boxSolver* direct = cache.find(fieldName_);
+
+    if (direct)
+    {
+        if (refine(*direct, x))
+        {
+            return true;
+        }
+
+        // Made for other conditions?
+        beginAgain(x);
+    }
+
+    direct = cache.make(*this);
+
+    if (!direct || refine(*direct, x))
+    {
+        return direct;
+    }
+
+    cache.refuse(fieldName_, "no convergence");
+    beginAgain(x);
+
+    return false;
+}
