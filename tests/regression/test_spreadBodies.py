@@ -19,6 +19,7 @@ LENGTH, WIDTH, CELLS = 50, 8, 8
 ALONG, ACROSS = 40, 5
 STEP, STEPS = 0.05, 6
 DISC = "shape { type disc; radius 0.5; }"
+WINDOW = "window { type comoving; directions ((1 0 0) (0 1 0)); }"
 # Shapes, and how they move
 KINDS = (
     f"{DISC} densityRatio 2; velocity (1 0.3 0);",
@@ -28,10 +29,10 @@ KINDS = (
 )
 
 
-def crowd(folder, name="crowd", contact="type softSphere", shares=(12, 0, 1)):
+def crowd(folder, shares=(12, 0, 1), window=""):
     """200 discs and ellipses in a box that repeats itself, far longer than it
     is wide; shares: of each kind, in so many."""
-    case = BodyCase("tube", folder, name)
+    case = BodyCase("tube", folder, "crowd")
     names = list(SIDES)[:4]
     boxMesh.write(
         case, uniform(0, LENGTH, LENGTH*CELLS), uniform(0, WIDTH, WIDTH*CELLS),
@@ -62,7 +63,7 @@ def crowd(folder, name="crowd", contact="type softSphere", shares=(12, 0, 1)):
     case.bodies(
         bodies,
         f"contact {{ type softSphere; collisionTime {STEP}; friction 0.3;"
-        " largestOverlap 0.9; } coupling { nOuterCorrectors 12; }",
+        f" largestOverlap 0.9; }} coupling {{ nOuterCorrectors 12; }} {window}",
     )
     write_twice(case, STEP, STEPS)
     return case
@@ -73,11 +74,13 @@ def rank_of(x):
     return np.floor(4*x/LENGTH)
 
 
-@pytest.mark.parametrize("shares", [(12, 0, 1), (1, 1, 0)])
-def test_same_on_several_ranks(shares, tmp_path):
+@pytest.mark.parametrize(
+    "shares, window", [((12, 0, 1), ""), ((1, 1, 0), ""), ((1, 1, 0), WINDOW)]
+)
+def test_same_on_several_ranks(shares, window, tmp_path):
     """With some that are towed, and without: then later iterations are those of
-    few."""
-    one = crowd(tmp_path, shares=shares)
+    few. In a window: it follows all of them."""
+    one = crowd(tmp_path, shares, window)
     start = one.start[:, 0]
     results = []
     for ranks in (1, 4):
@@ -91,7 +94,9 @@ def test_same_on_several_ranks(shares, tmp_path):
     assert "crowd " in state.read_text()
 
     motion = motions(one)
-    end = motion[0].reshape(2, -1)[-1]
+    table = one.columns("motion")
+    end = table["windowPosition_x" if window else "position_x"]
+    end = end.reshape(2, -1)[-1]
     assert (rank_of(end) != rank_of(start)).any()
 
     largest = np.maximum(np.abs(motion).max(axis=1, keepdims=True), 1e-6)

@@ -23,11 +23,12 @@ vector followed(const std::string& entries, const vector& U)
     box.sides.fill("ff");
     const std::unique_ptr<fvMesh> mesh(box.make(time));
 
-    PtrList<immersedBody> bodies;
-    bodies.append(new immersedBody(makeBody("densityRatio 1;", space)));
+    PtrList<immersedBody> one;
+    one.append(new immersedBody(makeBody("densityRatio 1;", space)));
     bodyState state;
     state.U = U;
-    bodies[0].setState(state);
+    one[0].setState(state);
+    const bodyList bodies(std::move(one));
 
     meshWindow window(dict("type comoving; " + entries), *mesh, bodies);
     window.follow(bodies);

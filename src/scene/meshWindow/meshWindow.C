@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshWindow.H"
+#include "bodyShare.H"
 #include "checkKeywords.H"
 #include "wallPolyPatch.H"
 
@@ -8,7 +9,7 @@ Foam::meshWindow::meshWindow
 (
     const dictionary& dict,
     const fvMesh& mesh,
-    const PtrList<immersedBody>& bodies
+    const bodyList& bodies
 )
 :
     comoving_
@@ -192,24 +193,34 @@ void Foam::meshWindow::undoStep()
 }
 
 
-void Foam::meshWindow::follow(const PtrList<immersedBody>& bodies)
+void Foam::meshWindow::follow(const bodyList& bodies)
 {
     if (!comoving_ || prescribed_)
     {
         return;
     }
 
+    const bodyShare& share = bodies.share();
     vector sum(Zero);
     label n = 0;
 
-    for (const immersedBody& body : bodies)
+    forAll(bodies, bodyi)
     {
-        if (follow_.empty() || body.name() == follow_)
+        const immersedBody& body = bodies[bodyi];
+
+        if
+        (
+            share.mine(bodyi)
+         && (follow_.empty() || body.name() == follow_)
+        )
         {
             sum += body.state().U;
             ++n;
         }
     }
+
+    sum = share.total(sum);
+    n = share.total(n);
 
     if (n)
     {
