@@ -13,6 +13,7 @@ from bodyCase import BodyCase
 from boxMesh import uniform
 from periodicBox import SIDES, set_fields
 from periodicTube import direct_pressure
+from slidingBox import centres, set_velocity, sliding_box
 from spreadRuns import motions, write_twice
 
 LENGTH, WIDTH, CELLS = 50, 8, 8
@@ -29,27 +30,16 @@ KINDS = (
 )
 
 
-def crowd(folder, shares=(12, 0, 1), window=""):
-    """200 discs and ellipses in a box that repeats itself, far longer than it
-    is wide; shares: of each kind, in so many."""
-    case = BodyCase("tube", folder, "crowd")
-    names = list(SIDES)[:4]
-    boxMesh.write(
-        case, uniform(0, LENGTH, LENGTH*CELLS), uniform(0, WIDTH, WIDTH*CELLS),
-        None, {side: SIDES[side] for side in names},
-    )
-    case.set_cyclic(*names[:2])
-    case.set_cyclic(*names[2:])
-    case.run("blockMesh")
-    set_fields(case, 0)
-    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
-    case.replace("constant/transportProperties", "0.5;", "0.02;")
-    direct_pressure(case)
+def place(case, shares, window="", first=0.5):
+    """200 discs and ellipses, of each kind `shares` in so many, in a box far
+    longer than it is wide, in rows, of which the first is so many of their
+    distances above its lower side."""
     random = np.random.default_rng(3)
     # Some between two ranks, beside x = 12.5 k
-    places = np.indices((ALONG, ACROSS)).reshape(2, -1).T + [0.98, 0.5]
+    places = np.indices((ALONG, ACROSS)).reshape(2, -1).T + [0.98, first]
     places *= np.array([LENGTH/ALONG, WIDTH/ACROSS])
     places += random.uniform(-0.1, 0.1, places.shape)
+    places[:, 1] %= WIDTH
     kinds = random.permutation(np.resize(
         np.repeat(np.arange(len(KINDS)), shares), len(places)
     ))
@@ -69,39 +59,91 @@ def crowd(folder, shares=(12, 0, 1), window=""):
     return case
 
 
+def crowd(folder, shares=(12, 0, 1), window=""):
+    """In a box that repeats itself."""
+    case = BodyCase("tube", folder, "crowd")
+    names = list(SIDES)[:4]
+    boxMesh.write(
+        case, uniform(0, LENGTH, LENGTH*CELLS), uniform(0, WIDTH, WIDTH*CELLS),
+        None, {side: SIDES[side] for side in names},
+    )
+    case.set_cyclic(*names[:2])
+    case.set_cyclic(*names[2:])
+    case.run("blockMesh")
+    set_fields(case, 0)
+    case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
+    case.replace("constant/transportProperties", "0.5;", "0.02;")
+    direct_pressure(case)
+    return place(case, shares, window)
+
+
+def sheared_crowd(folder):
+    """In one whose upper side slides along the lower one."""
+    cells, sides = (LENGTH*CELLS, WIDTH*CELLS), (LENGTH, WIDTH)
+    case = sliding_box(folder, "crowd", cells, sides, "shearRate 0.1;")
+    velocity = 0*centres(cells, sides)
+    velocity[:, 0] = 0.1*(centres(cells, sides)[:, 1] - WIDTH/2)
+    set_velocity(case, velocity)
+    case.replace("constant/transportProperties", "0.5;", "0.02;")
+    # This solver of U is another one on each number of ranks
+    case.replace("system/fvSolution", "relTol          1e-3", "relTol 1e-9")
+    return place(case, (1, 1, 0), first=0)
+
+
 def rank_of(x):
     """Of four."""
     return np.floor(4*x/LENGTH)
 
 
-@pytest.mark.parametrize(
-    "shares, window", [((12, 0, 1), ""), ((1, 1, 0), ""), ((1, 1, 0), WINDOW)]
-)
-def test_same_on_several_ranks(shares, window, tmp_path):
-    """With some that are towed, and without: then later iterations are those of
-    few. In a window: it follows all of them."""
-    one = crowd(tmp_path, shares, window)
+def check_ranks(one, folder, position="position", parts=(4, 1)):
+    """The same on one rank and on four; position: in the mesh; parts: in which
+    it is divided."""
     start = one.start[:, 0]
     results = []
     for ranks in (1, 4):
-        case = BodyCase(one, tmp_path, f"ranks{ranks}")
-        log = case.solve(ranks, (ranks, 1, 1))
+        case = BodyCase(one, folder, f"ranks{ranks}")
+        log = case.solve(ranks, (*parts, 1))
         assert ("Bodies are spread over the ranks: 200" in log) == (ranks > 1)
         results.append((case, re.findall(r"outer iterations (\d+)", log)))
     (one, iterations), (several, as_many) = results
 
-    state = one.path/one.latest_time()/"uniform/immersedBodies"
-    assert "crowd " in state.read_text()
-
-    motion = motions(one)
-    table = one.columns("motion")
-    end = table["windowPosition_x" if window else "position_x"]
-    end = end.reshape(2, -1)[-1]
+    end = one.columns("motion")[f"{position}_x"].reshape(2, -1)[-1]
     assert (rank_of(end) != rank_of(start)).any()
 
+    motion = motions(one)
     largest = np.maximum(np.abs(motion).max(axis=1, keepdims=True), 1e-6)
     assert as_many == iterations
     assert np.max(np.abs(motions(several) - motion)/largest) < 1e-6
+    return one, several
+
+
+@pytest.mark.parametrize("shares", [(12, 0, 1), (1, 1, 0)])
+def test_same_on_several_ranks(shares, tmp_path):
+    """With some that are towed, and without: then later iterations are those of
+    few."""
+    one, _ = check_ranks(crowd(tmp_path, shares), tmp_path)
+    state = one.path/one.latest_time()/"uniform/immersedBodies"
+    assert "crowd " in state.read_text()
+
+
+def test_window(tmp_path):
+    """It follows all of them."""
+    runs = check_ranks(
+        crowd(tmp_path, (1, 1, 0), WINDOW), tmp_path, "windowPosition"
+    )
+    way, as_far = (
+        case.columns("motion")["position_x"]
+        - case.columns("motion")["windowPosition_x"] for case in runs
+    )
+    assert np.ptp(way[-200:]) < 1e-9 and abs(way[-1]) > 0.01
+    assert as_far == pytest.approx(way, abs=1e-8)
+
+
+def test_sliding_sides(tmp_path):
+    """Some pass the sides that slide."""
+    one, _ = check_ranks(sheared_crowd(tmp_path), tmp_path, parts=(2, 2))
+    y = one.columns("motion")["position_y"].reshape(2, -1)
+    assert (np.abs(y[1] - y[0]) > WIDTH/2).any()
 
 
 def test_restart_is_exact(tmp_path):

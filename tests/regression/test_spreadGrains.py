@@ -8,6 +8,7 @@ import pytest
 from bodyCase import BodyCase
 from denseBox import column, grains, write_positions
 from foamCase import FoamError
+from slidingBox import centres, set_velocity, sliding_box
 from spreadRuns import motions, write_twice
 
 DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 34
@@ -51,6 +52,35 @@ def rain(
     return case
 
 
+def sheared(folder):
+    """2400 grains in a box whose upper side slides along the lower one, half of
+    them go up among the others."""
+    cells, sides, shear = (24, 8, 6), (12, 4, 3), 2
+    case = sliding_box(folder, "sheared", cells, sides, f"shearRate {shear};")
+    x = centres(cells, sides)
+    velocity = 0*x
+    velocity[:, 0] = shear*(x[:, 1] - 2)
+    set_velocity(case, velocity)
+    case.replace("system/fvSolution", "relTol          1e-3", "relTol 1e-9")
+    places = np.indices((40, 10, 6)).reshape(3, -1).T*[0.3, 0.4, 0.5]
+    places += [0.1, 0.3, 0.1]
+    random = np.random.default_rng(5)
+    places += random.uniform(-0.05, 0.05, places.shape)
+    up = random.random(len(places)) < 0.5
+    write_positions(case, places[~up])
+    write_positions(case, places[up], "going")
+    case.bodies(
+        "\n".join(
+            grains(0.08, 50, "free", name).replace("motion", f"velocity ({u}); motion")
+            for name, u in (("grain", "0.3 -1 0.2"), ("going", "-0.5 3 0"))
+        ),
+        "contact { type softSphere; collisionTime 0.02; friction 0.4;"
+        " largestOverlap 0.9; } coupling { type unresolved; }",
+    )
+    write_twice(case, 0.01, 16)
+    return case
+
+
 def on_ranks(case, folder, ranks, parts=None):
     """A copy that has run on so many ranks, where the grains were spread."""
     several = BodyCase(case, folder, f"ranks{ranks}")
@@ -90,6 +120,22 @@ def test_grains_that_go_further_than_expected(tmp_path):
 
     falls = one.columns("motion")["velocity_z"].reshape(2, -1)
     assert falls[-1].min() < -10
+    assert difference(one, several) < 1e-8
+
+
+def test_sliding_sides(tmp_path):
+    """Many pass them."""
+    one = sheared(tmp_path)
+    several = BodyCase(one, tmp_path, "ranks4")
+    log = several.solve(4, (4, 1, 1))
+    assert "Bodies are spread over the ranks: 2400" in log
+    one.solve()
+
+    table = one.columns("motion")
+    passed = np.abs(table["unwrapped_y"] - table["position_y"]) > 2
+    spins = table["angularVelocity_z"].reshape(2, -1)
+    assert passed.reshape(2, -1)[-1].sum() > 30
+    assert (np.abs(spins[-1]) > 3).mean() > 0.2
     assert difference(one, several) < 1e-8
 
 

@@ -48,10 +48,14 @@ Foam::scalar Foam::bodyHandover::maxRadius() const
 
 void Foam::bodyHandover::setWay(const scalar dt)
 {
-    // One that is hit may go as far as the fastest
+    // One that is hit may go as far as the fastest, and images go on with what
+    // slides
     const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
 
-    share_.setWay(spareWay*maxRadius() + 2*dt*speed);
+    share_.setWay
+    (
+        spareWay*maxRadius() + dt*(2*speed + mag(periods_.slideVelocity()))
+    );
 }
 
 

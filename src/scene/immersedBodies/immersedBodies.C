@@ -273,8 +273,7 @@ bool Foam::immersedBodies::maySpread()
     // The contact model follows what there is
     return
         !passage_->injects() && !passage_->leaving().active()
-     && !steady_.active() && !periodicity_.sliding()
-     && contacts_->follow(bodies_.share());
+     && !steady_.active() && contacts_->follow(bodies_.share());
 }
 
 
