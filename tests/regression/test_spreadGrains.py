@@ -71,8 +71,9 @@ def sheared(folder):
     write_positions(case, places[up], "going")
     case.bodies(
         "\n".join(
-            grains(0.08, 50, "free", name).replace("motion", f"velocity ({u}); motion")
-            for name, u in (("grain", "0.3 -1 0.2"), ("going", "-0.5 3 0"))
+            grains(0.08, 50, "free", name).replace(
+                "motion", f"velocity ({u}); motion"
+            ) for name, u in (("grain", "0.3 -1 0.2"), ("going", "-0.5 3 0"))
         ),
         "contact { type softSphere; collisionTime 0.02; friction 0.4;"
         " largestOverlap 0.9; } coupling { type unresolved; }",

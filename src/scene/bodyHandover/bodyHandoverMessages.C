@@ -28,6 +28,10 @@ void Foam::bodyHandover::pack
     bytes::append(bodyPacket(body), data);
     bytes::append(length, data);
     bytes::append(body.name().data(), length, data);
+    for (const restrainedMotion& one : body.restrained())
+    {
+        bytes::append(one, data);
+    }
     bytes::append(ofLists.size(), data);
     bytes::append(ofLists.cdata(), ofLists.size(), data);
 }
@@ -50,13 +54,19 @@ Foam::bodyHandover::received Foam::bodyHandover::unpack
     const word name(std::string(data, length), false);
 
     data += length;
-    bytes::read(data, size);
 
     received one
     {
-        packet.make(name, kinds_[kind]), List<char>(size), owner, holders
+        packet.make(name, kinds_[kind]), List<char>(), owner, holders
     };
 
+    for (restrainedMotion& restrained : one.body->restrained())
+    {
+        bytes::read(data, restrained);
+    }
+
+    bytes::read(data, size);
+    one.packed.resize(size);
     std::copy(data, data + size, one.packed.begin());
     data += size;
 
