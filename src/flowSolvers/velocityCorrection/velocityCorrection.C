@@ -29,7 +29,7 @@ Foam::velocityCorrection::velocityCorrection
 
 void Foam::velocityCorrection::updateGradP()
 {
-    gradP_ = paired_ ? pairGradient::ofOne(p_) : fvc::grad(p_);
+    gradP_ = fvc::grad(p_);
 }
 
 

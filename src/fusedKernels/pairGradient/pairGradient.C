@@ -4,7 +4,124 @@
 #include "faceSums.H"
 #include "fusedKernels.H"
 #include "gaussGrad.H"
-#include "gaussSums.H"
+#include "surfaceFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Values on the faces of a patch
+tmp<scalarField> faceValues
+(
+    const fvPatchScalarField& patch,
+    const scalarField& weights
+)
+{
+    if (!patch.coupled())
+    {
+        return tmp<scalarField>(static_cast<const scalarField&>(patch));
+    }
+
+    return weights*patch.patchInternalField()
+      + (1 - weights)*patch.patchNeighbourField();
+}
+
+
+//- What the internal faces add to the sums of value times area of their cells
+class faceLoop
+{
+    const labelUList& owner_;
+    const labelUList& neighbour_;
+    const scalarField& weights_;
+    const vectorField& Sf_;
+    const scalarField& p_;
+    const scalarField& q_;
+
+public:
+
+    faceLoop(const volScalarField& p, const volScalarField& q)
+    :
+        owner_(p.mesh().owner()),
+        neighbour_(p.mesh().neighbour()),
+        weights_(p.mesh().weights()),
+        Sf_(p.mesh().Sf()),
+        p_(p),
+        q_(q)
+    {}
+
+    //- One face
+    void add
+    (
+        const label facei,
+        vectorField& sumP,
+        vectorField& sumQ
+    ) const
+    {
+        add(owner_[facei], facei, facei + 1, sumP, sumQ);
+    }
+
+    //- The faces from begin to end, all of the same owner
+    void add
+    (
+        const label owner,
+        const label begin,
+        const label end,
+        vectorField& sumP,
+        vectorField& sumQ
+    ) const
+    {
+        const scalar p = p_[owner];
+        const scalar q = q_[owner];
+        vector ownP(sumP[owner]);
+        vector ownQ(sumQ[owner]);
+
+        for (label facei = begin; facei < end; ++facei)
+        {
+            const label n = neighbour_[facei];
+            const scalar w = weights_[facei];
+            const vector fluxP(Sf_[facei]*(w*(p - p_[n]) + p_[n]));
+            const vector fluxQ(Sf_[facei]*(w*(q - q_[n]) + q_[n]));
+
+            ownP += fluxP;
+            sumP[n] -= fluxP;
+            ownQ += fluxQ;
+            sumQ[n] -= fluxQ;
+        }
+
+        sumP[owner] = ownP;
+        sumQ[owner] = ownQ;
+    }
+};
+
+
+//- Add the faces of a patch to the sums of value times area of its cells
+void addPatch
+(
+    const fvPatchScalarField& p,
+    const fvPatchScalarField& q,
+    vectorField& gradP,
+    vectorField& gradQ
+)
+{
+    const label patchi = p.patch().index();
+    const fvMesh& mesh = p.patch().boundaryMesh().mesh();
+    const scalarField& weights = mesh.weights().boundaryField()[patchi];
+    const vectorField& Sf = mesh.Sf().boundaryField()[patchi];
+    const labelUList& faceCells = p.patch().faceCells();
+
+    const tmp<scalarField> tp(faceValues(p, weights));
+    const tmp<scalarField> tq(faceValues(q, weights));
+
+    forAll(Sf, i)
+    {
+        gradP[faceCells[i]] += Sf[i]*tp()[i];
+        gradQ[faceCells[i]] += Sf[i]*tq()[i];
+    }
+}
+
+} // End anonymous namespace
+
 
 bool Foam::pairGradient::serves(const fvMesh& mesh, const word& name)
 {
@@ -36,15 +153,13 @@ void Foam::pairGradient::set
     gradQ = Zero;
 
     const bitSet beside(besidePatches(mesh));
-    gaussSums ofP(p, sumP);
-    gaussSums ofQ(q, gradQ);
+    const faceLoop loop(p, q);
 
     // Faces are in the order of their owners: those of a cell's lower
     // neighbours are done before its own
     forAll(V, celli)
     {
-        ofP.add(celli, start[celli], start[celli + 1]);
-        ofQ.add(celli, start[celli], start[celli + 1]);
+        loop.add(celli, start[celli], start[celli + 1], sumP, gradQ);
 
         if (!beside.test(celli))
         {
@@ -53,8 +168,17 @@ void Foam::pairGradient::set
         }
     }
 
-    ofP.addPatches();
-    ofQ.addPatches();
+    // Last, for the very sums of gaussGrad, which a restart has
+    forAll(p.boundaryField(), patchi)
+    {
+        addPatch
+        (
+            p.boundaryField()[patchi],
+            q.boundaryField()[patchi],
+            sumP,
+            gradQ
+        );
+    }
 
     for (const label celli : beside)
     {
@@ -64,41 +188,6 @@ void Foam::pairGradient::set
 
     gradP.correctBoundaryConditions();
     fv::gaussGrad<scalar>::correctBoundaryConditions(p, gradP);
-}
-
-
-Foam::tmp<Foam::volVectorField> Foam::pairGradient::ofOne
-(
-    const volScalarField& p
-)
-{
-    const fvMesh& mesh = p.mesh();
-    const scalarField& V = mesh.V();
-    const labelUList& start = mesh.lduAddr().ownerStartAddr();
-    tmp<volVectorField> tgradP
-    (
-        new volVectorField
-        (
-            IOobject("grad(" + p.name() + ')', mesh.time().timeName(), mesh),
-            mesh,
-            dimensionedVector(p.dimensions()/dimLength, Zero),
-            "calculated"
-        )
-    );
-    vectorField& sums = tgradP.ref().primitiveFieldRef();
-    gaussSums ofP(p, sums);
-
-    forAll(V, celli)
-    {
-        ofP.add(celli, start[celli], start[celli + 1]);
-    }
-    ofP.addPatches();
-    sums /= V;
-
-    tgradP.ref().correctBoundaryConditions();
-    fv::gaussGrad<scalar>::correctBoundaryConditions(p, tgradP.ref());
-
-    return tgradP;
 }
 
 
@@ -144,31 +233,47 @@ void Foam::pairGradient::set
     vectorField& gradQ
 )
 {
-    const surfaceVectorField& Sf = p.mesh().Sf();
-    const scalarField& V = p.mesh().V();
+    const fvMesh& mesh = p.mesh();
+    const surfaceScalarField& weights = mesh.weights();
+    const surfaceVectorField& Sf = mesh.Sf();
+    const scalarField& V = mesh.V();
     vectorField& sumP = gradP.primitiveFieldRef();
-    gaussSums ofP(p, sumP);
-    gaussSums ofQ(q, gradQ);
 
     for (const label celli : some.cells)
     {
         sumP[celli] = gradQ[celli] = Zero;
     }
 
+    const faceLoop loop(p, q);
+
     for (const label facei : some.between)
     {
-        ofP.add(facei);
-        ofQ.add(facei);
+        loop.add(facei, sumP, gradQ);
     }
 
     for (const auto& edge : some.edges)
     {
-        ofP.addTo(edge.cell, edge.beyond);
-        ofQ.addTo(edge.cell, edge.beyond);
+        const label o = edge.cell;
+        const label n = edge.beyond.cell();
+        const label facei = edge.beyond.face();
+        const bool owner = edge.beyond.owner();
+        const scalar w = owner ? weights[facei] : 1 - weights[facei];
+        const vector S(owner ? Sf[facei] : -Sf[facei]);
+
+        sumP[o] += (w*(p[o] - p[n]) + p[n])*S;
+        gradQ[o] += (w*(q[o] - q[n]) + q[n])*S;
     }
 
-    const List<scalarField> pOnPatches(ofP.onPatches());
-    const List<scalarField> qOnPatches(ofQ.onPatches());
+    List<scalarField> pOnPatches(mesh.boundary().size());
+    List<scalarField> qOnPatches(mesh.boundary().size());
+
+    forAll(pOnPatches, patchi)
+    {
+        const scalarField& w = weights.boundaryField()[patchi];
+
+        pOnPatches[patchi] = faceValues(p.boundaryField()[patchi], w);
+        qOnPatches[patchi] = faceValues(q.boundaryField()[patchi], w);
+    }
 
     for (const auto& patchFace : some.patchFaces)
     {

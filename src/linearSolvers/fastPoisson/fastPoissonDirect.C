@@ -2,22 +2,16 @@
 
 #include "fastPoisson.H"
 #include "PstreamReduceOps.H"
+#include <algorithm>
 
 namespace
 {
     bool anyNonZero(const Foam::scalarField& psi)
     {
-        bool any = false;
-
-        for (const Foam::scalar x : psi)
-        {
-            any = x != 0;
-
-            if (any)
-            {
-                break;
-            }
-        }
+        const bool any = std::any_of
+        (
+            psi.begin(), psi.end(), [](const Foam::scalar x){ return x != 0; }
+        );
 
         return Foam::returnReduce(any, Foam::orOp<bool>());
     }
