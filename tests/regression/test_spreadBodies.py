@@ -61,8 +61,8 @@ def place(case, shares, window="", first=0.5):
     return case
 
 
-def crowd(folder, shares=(12, 0, 1), window=""):
-    """In a box that repeats itself."""
+def crowd(folder, shares=(12, 0, 1), window="", walls=False):
+    """In a box that repeats itself, or between two walls."""
     case = BodyCase("tube", folder, "crowd")
     names = list(SIDES)[:4]
     boxMesh.write(
@@ -70,13 +70,24 @@ def crowd(folder, shares=(12, 0, 1), window=""):
         None, {side: SIDES[side] for side in names},
     )
     case.set_cyclic(*names[:2])
-    case.set_cyclic(*names[2:])
+    if not walls:
+        case.set_cyclic(*names[2:])
+    for side in names[2:] if walls else ():
+        case.replace(
+            "system/blockMeshDict", f"{side} {{ type patch;", f"{side} {{ type wall;"
+        )
     case.run("blockMesh")
     set_fields(case, 0)
+    if walls:
+        sides = f"{names[2]}|{names[3]}"
+        case.conditions(*(
+            f'".*" {{ type cyclic; }} "{sides}" {{ type {kind}; }}'
+            " frontAndBack { type empty; }" for kind in ("noSlip", "zeroGradient")
+        ))
     case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
     case.replace("constant/transportProperties", "0.5;", "0.02;")
     direct_pressure(case)
-    return place(case, shares, window)
+    return place(case, shares, window, 0.66 if walls else 0.5)
 
 
 def sheared_crowd(folder):
@@ -146,6 +157,16 @@ def test_window(tmp_path):
     )
     assert np.ptp(way[-200:]) < 1e-9 and abs(way[-1]) > 0.01
     assert as_far == pytest.approx(way, abs=1e-8)
+
+
+def test_walls(tmp_path):
+    """A rank finds those beside its bodies, among them walls of other ranks."""
+    one, _ = check_ranks(crowd(tmp_path, (1, 1), walls=True), tmp_path)
+    y, v = (
+        one.columns("motion")[name].reshape(2, -1)
+        for name in ("position_y", "velocity_y")
+    )
+    assert ((y[-1] > WIDTH - 1) & (v[-1] < -0.05)).sum() > 10
 
 
 def test_sliding_sides(tmp_path):

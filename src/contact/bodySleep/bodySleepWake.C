@@ -108,7 +108,7 @@ void Foam::bodySleep::wakeByWalls
         return;
     }
 
-    walls.update(centres, radii, periods);
+    walls.update(centres, radii, periods, nullptr);
 
     forAll(bodies, i)
     {

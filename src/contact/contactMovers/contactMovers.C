@@ -136,7 +136,7 @@ bool Foam::contactMovers::search
     const DynamicList<closePairs::pair>& close =
         near_.find(centres, radii, spare, periods, share_);
 
-    walls.update(centres, reach, periods);
+    walls.update(centres, reach, periods, spread() ? held_ : nullptr);
 
     clear();
     movers_.clear();

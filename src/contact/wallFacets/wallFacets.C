@@ -93,7 +93,8 @@ void Foam::wallFacets::update
 (
     const UList<point>&,
     const UList<scalar>&,
-    const periodicity&
+    const periodicity&,
+    const bodyShare*
 )
 {}
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshWalls.H"
-#include "compat.H"
+#include "bodyShare.H"
+#include "exchange.H"
 #include "wallPolyPatch.H"
 
 Foam::meshWalls::meshWalls
@@ -120,7 +121,8 @@ void Foam::meshWalls::collect
     const UList<point>& centres,
     const UList<scalar>& radii,
     const periodicity& periods,
-    DynamicList<vector>& packed
+    const bodyShare* share,
+    List<DynamicList<vector>>& ofRank
 ) const
 {
     if (!tree_.valid())
@@ -139,6 +141,9 @@ void Foam::meshWalls::collect
             continue;
         }
 
+        DynamicList<vector>& packed =
+            ofRank[share ? share->owner(bodyi) : Pstream::myProcNo()];
+        const label key = share ? share->key(bodyi) : bodyi;
         const scalar reach = radii[bodyi] + largestMargin_;
         const List<periodicity::image> images
         (
@@ -162,21 +167,24 @@ void Foam::meshWalls::collect
 
             forAll(chosen, i)
             {
-                const label key = i < nWithin ? bodyi : -1 - bodyi;
-
-                pack(chosen[i], key, im, wallU, packed);
+                pack(chosen[i], i < nWithin ? key : -1 - key, im, wallU, packed);
             }
         }
     }
 }
 
 
-void Foam::meshWalls::unpack(const UList<vector>& packed)
+void Foam::meshWalls::unpack
+(
+    const bodyShare* share,
+    const UList<vector>& packed
+)
 {
     for (label i = 0; i < packed.size();)
     {
         const label key = label(packed[i].x());
-        const label bodyi = key < 0 ? -1 - key : key;
+        const label known = key < 0 ? -1 - key : key;
+        const label bodyi = share ? share->find(known) : known;
         const label n = label(mag(packed[i].y()));
         const bool moves = packed[i].y() < 0;
         facet f(SubList<point>(packed, n, i + 1));
@@ -195,7 +203,8 @@ void Foam::meshWalls::update
 (
     const UList<point>& centres,
     const UList<scalar>& radii,
-    const periodicity& periods
+    const periodicity& periods,
+    const bodyShare* share
 )
 {
     facets_.clear();
@@ -208,17 +217,21 @@ void Foam::meshWalls::update
         return;
     }
 
-    DynamicList<vector> packed;
-    collect(centres, radii, periods, packed);
+    List<DynamicList<vector>> ofRank(Pstream::nProcs());
+    collect(centres, radii, periods, share, ofRank);
 
-    List<List<vector>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = packed;
-    compat::allGather(all);
-
-    for (const List<vector>& one : all)
+    if (share)
     {
-        unpack(one);
+        for (const List<vector>& one : exchangeLists(ofRank))
+        {
+            unpack(share, one);
+        }
     }
+    else
+    {
+        unpack(share, gatherAll<vector>(ofRank[Pstream::myProcNo()]));
+    }
+
     forAll(facets_, bodyi)
     {
         if (!within_[bodyi])

@@ -126,6 +126,7 @@ void Foam::meshWalls::setNeighbours(const UList<scalar>& largest)
         beside_[i] = beside.sortedToc();
         largestMargin_ = max(largestMargin_, margins_[i]);
     }
+    reduce(largestMargin_, maxOp<scalar>());
 }
 
 
