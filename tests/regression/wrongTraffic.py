@@ -32,6 +32,11 @@ TRAFFIC = {
         FILE, "bodies\n", "leaving { outlet { type reinject; } }\nbodies\n",
         ["'type reinject' in 'outlet'", "'shift' and 'position'", FILE],
     ),
+    "coupling of an injector in two dimensions": (
+        FILE, "bodies\n",
+        injector("position (0 0 0); rate 1; coupling unresolved;"),
+        ["'coupling unresolved' in 'seeds'", "two dimensions", FILE],
+    ),
     "injector without times": (
         FILE, "bodies\n", injector("position (0 0 0);"),
         ["'seeds'", "exactly one of 'rate', 'roller', 'times'", FILE],

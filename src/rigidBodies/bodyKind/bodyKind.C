@@ -71,11 +71,21 @@ void Foam::bodyKind::readDensity(const dictionary& dict, const scalar rho)
 
 void Foam::bodyKind::readCoupling(const dictionary& dict)
 {
-    if (dict.found("coupling"))
+    if (!dict.found("coupling"))
     {
-        coupling_ = Foam::keywords::choice
-        (
-            dict, "coupling", {"resolved", "unresolved", "auto"}, word::null
-        );
+        return;
+    }
+
+    coupling_ = Foam::keywords::choice
+    (
+        dict, "coupling", {"resolved", "unresolved", "auto"}, word::null
+    );
+
+    if (space_.twoD() && coupling_ != "resolved")
+    {
+        FatalIOErrorInFunction(dict)
+            << "'coupling " << coupling_ << "' in '" << dict.dictName()
+            << "' can only be 'resolved' in two dimensions: drag laws are"
+            << " those of spheres" << nl << exit(FatalIOError);
     }
 }

@@ -54,18 +54,14 @@ Foam::unresolvedCoupling::unresolvedCoupling
     {
         Foam::keywords::check(shapes_, {"type"});
     }
-    bool wanted = choice_.type() != "resolved";
 
-    for (const immersedBody& body : bodies)
-    {
-        wanted = wanted || choice_.type(body) != "resolved";
-    }
-
-    if (wanted && space.twoD())
+    // As each body is asked for its own
+    if (choice_.type() != "resolved" && space.twoD())
     {
         FatalIOErrorInFunction(dict)
-            << "'coupling' can only be 'resolved' in two dimensions: drag laws"
-            << " are those of spheres" << nl << exit(FatalIOError);
+            << "'type " << choice_.type() << "' in 'coupling' can only be"
+            << " 'resolved' in two dimensions: drag laws are those of spheres"
+            << nl << exit(FatalIOError);
     }
 
     if (dense_)
