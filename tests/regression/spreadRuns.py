@@ -22,10 +22,11 @@ def write_twice(case, step, steps):
 
 
 def motions(case):
-    """Velocities, spins and positions in all time steps."""
+    """Velocities, spins and positions in all time steps, by time and body."""
     table = case.columns("motion")
+    order = np.lexsort((table["body"], table["time"]))
     return np.array([
-        table[f"{name}_{axis}"]
+        table[f"{name}_{axis}"][order]
         for name in ("position", "velocity", "angularVelocity")
         for axis in "xyz"
     ])

@@ -8,6 +8,7 @@ import pytest
 from bodyCase import BodyCase
 from denseBox import column, grains, write_positions
 from foamCase import FoamError
+from openTube import passage
 from slidingBox import centres, set_velocity, sliding_box
 from spreadRuns import motions, write_twice
 
@@ -16,12 +17,37 @@ ACROSS, LAYERS = 10, 22
 STEP = 1e-4
 DENSE = "type unresolved; voidFraction yes; dragModel { type Gidaspow; }"
 CONTACT = "collisionTime 4e-5; friction 0.4; largestOverlap 0.9;"
+TRAFFIC = f"""
+leaving
+{{
+    inlet  {{ type reinject; shift (0 0 {(HEIGHT - 1)*CELL}); }}
+    outlet {{ type remove; }}
+}}
+injection
+{{
+    injected
+    {{
+        shape    {{ type sphere; radius {DIAMETER/2}; }}
+        densityRatio 1000;
+        velocity (0 0 1);
+        region
+        {{
+            type box;
+            min  (0.001 0.001 0.01);
+            max  (0.011 0.011 0.05);
+        }}
+        rate     3e4;
+        tries    200;
+        seed     3;
+    }}
+}}
+"""
 PARTS = {2: (1, 1, 2), 4: (1, 1, 4)}
 
 
 def rain(
     folder, name="rain", speed=8, gravity=9.81, steps=8, height=HEIGHT,
-    contact="",
+    contact="", traffic="",
 ):
     """2200 grains in a periodic column of air: half of them fall among the
     others, which rise."""
@@ -45,7 +71,7 @@ def rain(
                 ("falling", 1000, f"0.3 0.1 -{speed}"),
             )
         ),
-        f"contact {{ type softSphere; {contact or CONTACT} }} coupling {{ {DENSE} }}",
+        f"contact {{ type softSphere; {contact or CONTACT} }} coupling {{ {DENSE} }} {traffic}",
     )
     case.gravity(0, 0, -gravity)
     write_twice(case, STEP, steps)
@@ -122,6 +148,27 @@ def test_grains_that_go_further_than_expected(tmp_path):
     falls = one.columns("motion")["velocity_z"].reshape(2, -1)
     assert falls[-1].min() < -10
     assert difference(one, several) < 1e-8
+
+
+def test_leaving_and_injection(tmp_path):
+    """They fall out of the column, and enter again above; others rise out of
+    it."""
+    one = rain(tmp_path, speed=12, steps=16, traffic=TRAFFIC)
+    several = on_ranks(one, tmp_path, 4)
+    one.solve()
+
+    happened, as_good = (
+        [(e.time, e.number, e.what, e.name, e.where) for e in passage(case)]
+        for case in (one, several)
+    )
+    assert happened == as_good
+    for what, where in (
+        ("leaves", "inlet"), ("leaves", "outlet"), ("enters", "again"),
+        ("enters", "injected"),
+    ):
+        assert sum(e[2] == what and e[4] == where for e in happened) > 40
+    # Twice as many steps as in the others
+    assert difference(one, several) < 1e-7
 
 
 def test_sliding_sides(tmp_path):

@@ -134,7 +134,7 @@ TEST_CASE("A body is the same after it has been sent", "[bodies]")
     const immersedBody& body = stream.bodies[0];
     const autoPtr<immersedBody> copy
     (
-        bodyPacket(body).make(body.name(), body.sharedKind())
+        bodyPacket(body).make(body.name(), body.sharedKind(), nullptr)
     );
     OStringStream as, bs;
 

@@ -163,9 +163,17 @@ Foam::vectorList Foam::contactMovers::sendToOwners
 
     forAll(numbers, i)
     {
-        const label first = held_->owner(held_->find(numbers[i].first()));
-        const label b = numbers[i].second();
-        const label second = b < 0 ? first : held_->owner(held_->find(b));
+        const bool wall = numbers[i].second() < 0;
+        const label a = held_->find(numbers[i].first());
+        const label b = wall ? a : held_->find(numbers[i].second());
+
+        if (a < 0 || b < 0)
+        {
+            // It has left the mesh
+            continue;
+        }
+
+        const label first = held_->owner(a), second = held_->owner(b);
         const SubList<vector> one(packed, n, n*i);
 
         send[first].append(one);

@@ -13,6 +13,24 @@ Foam::rankBounds::rankBounds(const fvMesh& mesh)
 }
 
 
+Foam::label Foam::rankBounds::nearest(const point& x) const
+{
+    label closest = 0;
+    scalar least = GREAT;
+
+    forAll(bounds_, rank)
+    {
+        if (bounds_[rank].valid() && distance(rank, x) < least)
+        {
+            closest = rank;
+            least = distance(rank, x);
+        }
+    }
+
+    return closest;
+}
+
+
 Foam::labelList Foam::rankBounds::reached
 (
     const point& x,

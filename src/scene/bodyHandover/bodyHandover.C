@@ -3,6 +3,13 @@
 #include "bodyHandover.H"
 #include "profiling.H"
 
+namespace
+{
+    //- Bodies that each rank sends to all others at once
+    const Foam::label atOnce = 1000;
+}
+
+
 Foam::bodyHandover::bodyHandover
 (
     bodyList& bodies,
@@ -10,6 +17,7 @@ Foam::bodyHandover::bodyHandover
     const immersedRegion& region,
     const grainKernels& kernels,
     const periodicity& periods,
+    const scalar wallMargin,
     const bool may
 )
 :
@@ -21,6 +29,8 @@ Foam::bodyHandover::bodyHandover
     search_(region.search()),
     periods_(periods),
     bounds_(search_.mesh()),
+    outside_(0),
+    wallMargin_(wallMargin),
     may_(may),
     look_(true),
     reported_(false)
@@ -107,8 +117,10 @@ void Foam::bodyHandover::hand(const scalar dt)
         x[i] = bodies_[i].state().position;
     }
 
-    setWay(dt);
-    tell(newOwners(), x);
+    const labelList owners(newOwners());
+
+    setWay(dt, owners);
+    tell(owners, x);
 }
 
 
@@ -119,20 +131,52 @@ void Foam::bodyHandover::drop()
         return;
     }
 
-    DynamicList<label> kept(bodies_.size());
+    keep
+    (
+        [&](const label bodyi)
+        {
+            return !left_.found(bodies_[bodyi].number());
+        }
+    );
+    left_.clear();
+    share_.connect();
+}
+
+
+bool Foam::bodyHandover::unite()
+{
+    if (!share_.spread())
+    {
+        return false;
+    }
+
+    DynamicList<label> own(bodies_.size());
+    std::vector<received> made;
 
     forAll(bodies_, i)
     {
-        if (!left_.found(bodies_[i].number()))
+        if (share_.mine(i))
         {
-            kept.append(i);
+            own.append(i);
         }
     }
-    left_.clear();
 
-    if (kept.size() < bodies_.size())
+    // All at once would take as much memory again
+    for (label first = 0; share_.any(first < own.size()); first += atOnce)
     {
-        bodies_.reorder(kept);
+        const label n = max(min(atOnce, own.size() - first), label(0));
+
+        for (received& one : gather(SubList<label>(own, n, n ? first : 0)))
+        {
+            if (share_.find(one.body->number()) < 0)
+            {
+                made.push_back(std::move(one));
+            }
+        }
     }
-    share_.connect();
+    insert(made);
+    share_.unite();
+    look_ = true;
+
+    return true;
 }

@@ -20,29 +20,41 @@ const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 } // End anonymous namespace
 
 
+bool Foam::bodyHandover::decided() const
+{
+    bool all = true;
+
+    for (const immersedBody& body : bodies_)
+    {
+        all = all && (!body.resolved() || choice_.type(body) == "resolved");
+    }
+
+    return share_.all(all);
+}
+
+
 bool Foam::bodyHandover::allCan() const
 {
-    const bool resolved = bodies_.nResolved();
-    const label enough = resolved ? fewestResolved : fewest;
+    const label nRanks = Pstream::nProcs();
 
-    if (bodies_.size() < enough*Pstream::nProcs())
+    if
+    (
+        bodies_.nResolved() < fewestResolved*nRanks
+     && bodies_.nUnresolved() < fewest*nRanks
+    )
     {
         return false;
     }
 
     for (const immersedBody& body : bodies_)
     {
-        // Those that the mesh decides on may be resolved later
-        const bool alike = body.resolved() == resolved
-         && resolved == (choice_.type(body) == "resolved");
-
-        if (!alike || !bodyPacket::suffices(body))
+        if (!bodyPacket::suffices(body))
         {
             return false;
         }
     }
 
-    return true;
+    return decided();
 }
 
 
@@ -53,12 +65,18 @@ void Foam::bodyHandover::findKinds()
 
     for (const immersedBody& body : bodies_)
     {
-        const auto& kind = body.sharedKind();
+        addKind(body);
+    }
+}
 
-        if (placeOfKind_.emplace(kind.get(), kinds_.size()).second)
-        {
-            kinds_.push_back(kind);
-        }
+
+void Foam::bodyHandover::addKind(const immersedBody& body)
+{
+    const auto& kind = body.sharedKind();
+
+    if (placeOfKind_.emplace(kind.get(), kinds_.size()).second)
+    {
+        kinds_.push_back(kind);
     }
 }
 
@@ -100,9 +118,9 @@ void Foam::bodyHandover::beginStep(const scalar dt)
     bodies_.sort();
     findKinds();
 
-    const labelList owners(findOwners());
+    const labelList owners(findOwners(0));
 
-    setWay(dt);
+    setWay(dt, owners);
     forAll(owners, i)
     {
         const point& x = bodies_[i].state().position;

@@ -2,13 +2,14 @@
 
 #include "bodyHandover.H"
 
-Foam::labelList Foam::bodyHandover::findOwners() const
+Foam::labelList Foam::bodyHandover::findOwners(const label first) const
 {
+    const label n = bodies_.size() - first;
     DynamicList<label> mine;
 
-    forAll(bodies_, i)
+    for (label i = 0; i < n; ++i)
     {
-        if (search_.findCell(bodies_[i].state().position) >= 0)
+        if (search_.findCell(bodies_[first + i].state().position) >= 0)
         {
             mine.append(i);
         }
@@ -18,13 +19,20 @@ Foam::labelList Foam::bodyHandover::findOwners() const
     const List<label> found(gatherAll<label>(mine, start));
 
     // One on a face may have several, one that is leaving has none
-    labelList owners(bodies_.size(), label(0));
+    labelList owners(n, label(-1));
 
     for (label rank = Pstream::nProcs() - 1; rank >= 0; --rank)
     {
         for (label k = start[rank]; k < start[rank + 1]; ++k)
         {
             owners[found[k]] = rank;
+        }
+    }
+    forAll(owners, i)
+    {
+        if (owners[i] < 0)
+        {
+            owners[i] = bounds_.nearest(bodies_[first + i].state().position);
         }
     }
 

@@ -46,11 +46,25 @@ Foam::scalar Foam::bodyHandover::maxRadius() const
 }
 
 
-void Foam::bodyHandover::setWay(const scalar dt)
+void Foam::bodyHandover::setWay(const scalar dt, const labelUList& owners)
 {
     // One that is hit may go as far as the fastest, and images go on with what
     // slides
     const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
+
+    // Of one that leaves the mesh the centre is outside
+    outside_ = 0;
+
+    forAll(owners, i)
+    {
+        if (owners[i] >= 0)
+        {
+            const point& x = bodies_[i].state().position;
+
+            outside_ = max(outside_, bounds_.distance(owners[i], x));
+        }
+    }
+    reduce(outside_, maxOp<scalar>());
 
     share_.setWay
     (
@@ -66,12 +80,11 @@ Foam::labelList Foam::bodyHandover::holders
     const label owner
 ) const
 {
-    // Centres of a rank's own bodies are within half a cell from those of
-    // cells; kernels grow where cells do
+    // Kernels grow where cells do
     const immersedBody& body = bodies_[bodyi];
     const scalar touching =
         body.shape().boundingRadius() + maxRadius() + 2*share_.way()
-      + search_.hMax();
+      + max(search_.hMax(), outside_) + wallMargin_;
     labelList ranks
     (
         bounds_.reached(x, max(reach(body) + share_.way(), touching), periods_)

@@ -11,7 +11,8 @@ Foam::bodyTraffic::bodyTraffic
     const bodyLoads& loads,
     bodyResolution& resolution,
     bodyCellSizes& h,
-    bodyPassage& passage
+    bodyPassage& passage,
+    bodyHandover& handover
 )
 :
     bodies_(bodies),
@@ -20,8 +21,20 @@ Foam::bodyTraffic::bodyTraffic
     loads_(loads),
     resolution_(resolution),
     h_(h),
-    passage_(passage)
+    passage_(passage),
+    handover_(handover)
 {}
+
+
+void Foam::bodyTraffic::tell
+(
+    const immersedBody& body,
+    const word& what,
+    const word& where
+)
+{
+    passage_.table().add(body, what, where, window_.displacement());
+}
 
 
 void Foam::bodyTraffic::hold()
@@ -33,15 +46,18 @@ void Foam::bodyTraffic::hold()
         beside.set(bodyi, &resolution_.cellsBeside(bodyi));
     }
 
-    for (const label bodyi : passage_.touch(bodies_, beside, loads_.all()))
-    {
-        immersedBody& body = bodies_[bodyi];
+    const labelList held(passage_.touch(bodies_, beside, loads_.all()));
 
-        passage_.table().add
-        (
-            body, "held", body.status().passing(), window_.displacement()
-        );
-        body.hold();
+    if (bodies_.share().any(held.size()))
+    {
+        for (const immersedBody& body : handover_.copies(held))
+        {
+            tell(body, "held", body.status().passing());
+        }
+    }
+    for (const label bodyi : held)
+    {
+        bodies_[bodyi].hold();
     }
 }
 
@@ -50,11 +66,10 @@ bool Foam::bodyTraffic::leave()
 {
     hold();
 
+    boolList leaves(bodies_.size(), false);
     bool good = true;
-    bool changed = false;
 
-    // From the last on, as those after one that is taken out move up
-    for (label bodyi = bodies_.size() - 1; bodyi >= 0; --bodyi)
+    forAll(bodies_, bodyi)
     {
         const immersedBody& body = bodies_[bodyi];
 
@@ -67,7 +82,8 @@ bool Foam::bodyTraffic::leave()
             continue;
         }
 
-        if (body.status().passing().empty())
+        leaves[bodyi] = body.status().passing().size();
+        if (!leaves[bodyi])
         {
             OSstream& os = bodies_.share().spread()
               ? static_cast<OSstream&>(Pout)
@@ -77,23 +93,38 @@ bool Foam::bodyTraffic::leave()
                 << body.state().position + window_.displacement()
                 << ", moving with " << body.state().U << endl;
             good = false;
-            continue;
         }
-
-        passage_.table().add
-        (
-            body, "leaves", body.status().passing(), window_.displacement()
-        );
-        passage_.take(bodies_.take(bodyi));
-        changed = true;
     }
 
-    if (changed)
+    if (bodies_.share().any(leaves.found(true)))
     {
-        region_.updateGeometry(bodies_, true);
+        takeOut(leaves);
     }
 
-    return bodies_.share().spread()
-      ? returnReduce(good, andOp<bool>())
-      : good;
+    return bodies_.share().all(good);
+}
+
+
+void Foam::bodyTraffic::takeOut(UList<bool>& leaves)
+{
+    DynamicList<label> listed;
+
+    bodies_.share().give(leaves);
+    forAll(leaves, bodyi)
+    {
+        if (leaves[bodyi])
+        {
+            listed.append(bodyi);
+        }
+    }
+
+    PtrList<immersedBody> taken(handover_.take(listed));
+
+    forAll(taken, i)
+    {
+        tell(taken[i], "leaves", taken[i].status().passing());
+        passage_.take(autoPtr<immersedBody>(taken.release(i)));
+    }
+
+    region_.updateGeometry(bodies_, true);
 }

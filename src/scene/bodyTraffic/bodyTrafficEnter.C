@@ -69,11 +69,10 @@ bool Foam::bodyTraffic::enter
 }
 
 
-bool Foam::bodyTraffic::enterAgain(volVectorField& U)
+void Foam::bodyTraffic::enterAgain(volVectorField& U)
 {
     PtrList<immersedBody>& waiting = passage_.waiting();
     PtrList<immersedBody> still;
-    const label nOld = bodies_.size();
 
     for (label i = 0; i < waiting.size(); ++i)
     {
@@ -81,10 +80,7 @@ bool Foam::bodyTraffic::enterAgain(volVectorField& U)
 
         if (enter(body, 0, U))
         {
-            passage_.table().add
-            (
-                bodies_.last(), "enters", "again", window_.displacement()
-            );
+            tell(bodies_.last(), "enters", "again");
         }
         else
         {
@@ -92,15 +88,11 @@ bool Foam::bodyTraffic::enterAgain(volVectorField& U)
         }
     }
     waiting.transfer(still);
-
-    return bodies_.size() > nOld;
 }
 
 
-bool Foam::bodyTraffic::inject(const scalar t, volVectorField& U)
+void Foam::bodyTraffic::inject(const scalar t, volVectorField& U)
 {
-    const label nOld = bodies_.size();
-
     for (injector& one : passage_.injectors())
     {
         label tries = 0;
@@ -116,11 +108,7 @@ bool Foam::bodyTraffic::inject(const scalar t, volVectorField& U)
             if (enter(body, one.gap(), U))
             {
                 passage_.useNumber();
-                passage_.table().add
-                (
-                    bodies_.last(), "enters", one.name(),
-                    window_.displacement()
-                );
+                tell(bodies_.last(), "enters", one.name());
                 one.advance();
                 tries = 0;
                 first = true;
@@ -133,26 +121,31 @@ bool Foam::bodyTraffic::inject(const scalar t, volVectorField& U)
                 << " waits: no room where it is to enter" << endl;
         }
     }
-
-    return bodies_.size() > nOld;
 }
 
 
-void Foam::bodyTraffic::enter(const scalar t, volVectorField& U)
+bool Foam::bodyTraffic::enter(const scalar t, volVectorField& U)
 {
     if (!passage_.due(t))
     {
-        return;
+        return false;
     }
 
     addProfiling(enter, "immersedBodies::enter");
 
-    const bool again = enterAgain(U);
-    const bool injected = inject(t, U);
+    const label nOld = bodies_.size();
 
-    if (again || injected)
+    enterAgain(U);
+    inject(t, U);
+
+    const label nNew = bodies_.size() - nOld;
+
+    if (nNew)
     {
         U.correctBoundaryConditions();
+        handover_.entered(nNew);
         resolution_.replace();
     }
+
+    return nNew;
 }

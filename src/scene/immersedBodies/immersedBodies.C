@@ -145,6 +145,7 @@ Foam::immersedBodies::immersedBodies
             region(),
             unresolved_->coupling().kernels(),
             periodicity_,
+            contacts_->wallMargin(),
             maySpread()
         )
     ),
@@ -165,7 +166,8 @@ Foam::immersedBodies::immersedBodies
             loads(),
             resolution_(),
             h_,
-            passage_()
+            passage_(),
+            handover_()
         )
     )
 {
@@ -271,9 +273,7 @@ Foam::scalar Foam::immersedBodies::cellsOnTheWay(const bool resolved) const
 bool Foam::immersedBodies::maySpread()
 {
     // The contact model follows what there is
-    return
-        !passage_->injects() && !passage_->leaving().active()
-     && !steady_.active() && contacts_->follow(bodies_.share());
+    return !steady_.active() && contacts_->follow(bodies_.share());
 }
 
 

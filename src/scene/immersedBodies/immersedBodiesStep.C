@@ -160,9 +160,15 @@ bool Foam::immersedBodies::endStep()
 void Foam::immersedBodies::enter(volVectorField& U)
 {
     // A body that is due at the end of the step must not miss it by rounding
-    traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U);
+    const bool undecided =
+        traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U)
+     && !handover_->decided();
 
-    if (bodies_.share().spread() && resolution_->anyToResolve())
+    if
+    (
+        bodies_.share().spread()
+     && (undecided || resolution_->anyToResolve())
+    )
     {
         unite();
     }

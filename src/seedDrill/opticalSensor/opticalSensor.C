@@ -48,7 +48,7 @@ Foam::functionObjects::opticalSensor::opticalSensor
 :
     fvMeshFunctionObject(name, runTime, dict),
     tableFile(mesh_, name, "passages", dict),
-    bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
+    bodies_(bodyFunctionObject::sceneOf(mesh_, name)),
     record_(name, mesh_, bodies_.clock()),
     traceTime_(bodies_.clock()),
     tablesIndex_(-1),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "opticalSensor.H"
+#include "HashSet.H"
 #include "mathematicalConstants.H"
 
 void Foam::functionObjects::opticalSensor::trackBodies()
@@ -128,25 +129,33 @@ void Foam::functionObjects::opticalSensor::count(const passage& one)
 }
 
 
-bool Foam::functionObjects::opticalSensor::execute()
+void Foam::functionObjects::opticalSensor::findPassages
+(
+    DynamicList<passage>& passages
+) const
 {
     const vector& displacement = bodies_.window().displacement();
     const scalar dt = time_.deltaTValue();
-    DynamicList<passage> passages;
 
     // Not if time has passed without it, before a timeStart
-    if (mag(bodies_.clock() - dt - traceTime_) < 1e-3*dt)
+    if (mag(bodies_.clock() - dt - traceTime_) >= 1e-3*dt)
     {
-        for (const bodyDeparture& one : bodies_.departed())
-        {
-            follow(one.number, one.unwrapped + displacement, one.U, passages);
-            traces_.erase(one.number);
-        }
+        return;
+    }
 
-        for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-        {
-            const immersedBody& body = bodies_[bodyi];
+    labelHashSet departed;
 
+    for (const bodyDeparture& one : bodies_.departed())
+    {
+        follow(one.number, one.unwrapped + displacement, one.U, passages);
+        departed.insert(one.number);
+    }
+
+    for (const immersedBody& body : bodies_.list())
+    {
+        // It may have entered again
+        if (!departed.found(body.number()))
+        {
             follow
             (
                 body.number(),
@@ -156,18 +165,15 @@ bool Foam::functionObjects::opticalSensor::execute()
             );
         }
     }
+}
 
-    std::sort
-    (
-        passages.begin(),
-        passages.end(),
-        [](const passage& a, const passage& b)
-        {
-            return
-                a.crossing.time < b.crossing.time
-             || (a.crossing.time == b.crossing.time && a.body < b.body);
-        }
-    );
+
+bool Foam::functionObjects::opticalSensor::execute()
+{
+    DynamicList<passage> passages;
+
+    findPassages(passages);
+    gather(passages);
 
     if (writeToFile() && !writtenHeader_)
     {
