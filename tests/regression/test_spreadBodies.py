@@ -32,7 +32,7 @@ KINDS = (
 )
 
 
-def place(case, shares, window="", first=0.5):
+def place(case, shares, window="", first=0.5, contact=""):
     """200 discs and ellipses, of each kind `shares` in so many, in a box far
     longer than it is wide, in rows, of which the first is so many of their
     distances above its lower side."""
@@ -55,7 +55,8 @@ def place(case, shares, window="", first=0.5):
     case.bodies(
         bodies,
         f"rho 1; coupling {{ nOuterCorrectors 12; }} {window} contact {{ type"
-        f" softSphere; collisionTime {STEP}; friction 0.3; largestOverlap 0.9; }}",
+        f" softSphere; collisionTime {STEP}; friction 0.3; largestOverlap 0.9;"
+        f" {contact} }}",
     )
     write_twice(case, STEP, STEPS)
     return case
@@ -87,7 +88,9 @@ def crowd(folder, shares=(12, 0, 1), window="", walls=False):
     case.replace("0/U", "uniform (1 0 0)", "uniform (0 0 0)")
     case.replace("constant/transportProperties", "0.5;", "0.02;")
     direct_pressure(case)
-    return place(case, shares, window, 0.66 if walls else 0.5)
+    if walls:
+        return place(case, shares, window, 0.66, "wallRoughness 5; seed 3;")
+    return place(case, shares, window)
 
 
 def sheared_crowd(folder):
@@ -130,16 +133,19 @@ def check_ranks(one, folder, position="position", parts=(4, 1)):
     return one, several
 
 
+def state_of(case, part):
+    """Of the bodies at the end."""
+    folder = case.path/part/case.latest_time(part)
+    return (folder/"uniform/immersedBodies").read_text()
+
+
 @pytest.mark.parametrize("shares", [(12, 0, 1), (1, 1), (1, 1, 0, 1)])
 def test_same_on_several_ranks(shares, tmp_path):
     """With some that are towed, and without: then later iterations are those of
     few. With some on springs: the master, which writes their anchors, has got
     most of them from other ranks."""
     runs = check_ranks(crowd(tmp_path, shares), tmp_path)
-    state, as_good = (
-        (case.path/part/case.latest_time(part)/"uniform/immersedBodies").read_text()
-        for case, part in zip(runs, (".", "processor0"))
-    )
+    state, as_good = map(state_of, runs, (".", "processor0"))
     assert "crowd " in state
     anchors = re.findall("startPosition .*", state)
     assert len(anchors) == (66 if len(shares) == 4 else 0)
@@ -160,13 +166,19 @@ def test_window(tmp_path):
 
 
 def test_walls(tmp_path):
-    """A rank finds those beside its bodies, among them walls of other ranks."""
-    one, _ = check_ranks(crowd(tmp_path, (1, 1), walls=True), tmp_path)
+    """Rough ones; a rank finds those beside its bodies, among them walls of
+    other ranks, and knows how often a body has met them."""
+    one, several = check_ranks(crowd(tmp_path, (1, 1), walls=True), tmp_path)
     y, v = (
         one.columns("motion")[name].reshape(2, -1)
         for name in ("position_y", "velocity_y")
     )
     assert ((y[-1] > WIDTH - 1) & (v[-1] < -0.05)).sum() > 10
+    impacts, as_many = (
+        state_of(case, part).split("wallImpacts", 1)[1].split(";")[0].split()
+        for case, part in ((one, "."), (several, "processor0"))
+    )
+    assert len(impacts) > 20 and as_many == impacts
 
 
 def test_sliding_sides(tmp_path):

@@ -194,6 +194,33 @@ Foam::vectorList Foam::contactMovers::sendToOwners
 }
 
 
+Foam::vectorList Foam::contactMovers::keep
+(
+    const UList<labelPair>& numbers,
+    const UList<vector>& packed
+) const
+{
+    if (spread())
+    {
+        return sendToOwners(numbers, packed);
+    }
+    if (shared())
+    {
+        return gatherAll<vector>(packed);
+    }
+
+    vectorList kept(packed);
+
+    if (Pstream::parRun())
+    {
+        // As the states of the bodies: the copies must not drift apart
+        compat::broadcast(kept);
+    }
+
+    return kept;
+}
+
+
 Foam::scalar Foam::contactMovers::mean(const UList<scalar>& values) const
 {
     vector2D sums(Zero);

@@ -117,31 +117,19 @@ void Foam::historyContact<Record>::endStep()
         return;
     }
 
-    vectorList packed(history_.pack());
+    DynamicList<labelPair> numbers(history_.records().size());
 
-    // As the states of the bodies: the copies must not drift apart
+    for (const Record& r : history_.records())
+    {
+        numbers.append(r.bodies);
+    }
+    old_.unpack(movers_.keep(numbers, history_.pack()));
+
     if (movers_.spread())
     {
-        DynamicList<labelPair> numbers(history_.records().size());
-
-        for (const Record& r : history_.records())
-        {
-            numbers.append(r.bodies);
-        }
-        packed = movers_.sendToOwners(numbers, packed);
-
         // Places of bodies in their list are others from now on
         movers_.pairs().clear();
     }
-    else if (movers_.shared())
-    {
-        packed = gatherAll(packed);
-    }
-    else
-    {
-        compat::broadcast(packed);
-    }
-    old_.unpack(packed);
 }
 
 

@@ -135,7 +135,7 @@ bool Foam::contactModels::softSphere::goThrough
 )
 {
     // Films act one after the other, slopes are drawn so
-    begin(bodies, !films_.active() && !rough_);
+    begin(bodies, !films_.active());
     roughness_.begin(bodies);
 
     if (!search(bodies, h, walls, periods, dt, furthest))
@@ -223,14 +223,13 @@ void Foam::contactModels::softSphere::advance
 
 bool Foam::contactModels::softSphere::follow(const bodyShare& share)
 {
-    const bool can = !films_.active() && !rough_;
-
-    if (can)
+    if (films_.active())
     {
-        movers_.follow(share);
+        return false;
     }
+    movers_.follow(share);
 
-    return can;
+    return true;
 }
 
 
@@ -260,7 +259,7 @@ bool Foam::contactModels::softSphere::pairsAtEnd
 void Foam::contactModels::softSphere::endStep()
 {
     historyContact<springRecord>::endStep();
-    roughness_.endStep();
+    roughness_.endStep(movers_);
 }
 
 

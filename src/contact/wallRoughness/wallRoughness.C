@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallRoughness.H"
-#include "compat.H"
 #include "keyedRandom.H"
 #include "labelList.H"
 #include "mathematicalConstants.H"
@@ -122,14 +121,24 @@ Foam::vector Foam::wallRoughness::slope
 }
 
 
-void Foam::wallRoughness::endStep()
+void Foam::wallRoughness::endStep(const contactMovers& movers)
 {
-    old_ = impacts_;
+    DynamicList<labelPair> bodies(impacts_.size());
+    DynamicList<vector> packed(impacts_.size());
 
-    // As the states of the bodies: the copies must not drift apart
-    if (Pstream::parRun())
+    forAllConstIters(impacts_, iter)
     {
-        compat::broadcast(old_);
+        bodies.append(labelPair(iter.key(), -1));
+        packed.append(vector(iter.key(), iter(), 0));
+    }
+
+    // Those that meet the wall elsewhere are behind
+    old_.clear();
+    for (const vector& one : movers.keep(bodies, packed))
+    {
+        label& n = old_(label(one.x()), 0);
+
+        n = max(n, label(one.y()));
     }
 }
 
