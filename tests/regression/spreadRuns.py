@@ -3,6 +3,8 @@
 
 import numpy as np
 
+from bodyCase import BodyCase
+
 
 def write_twice(case, step, steps):
     """Run so many steps, and write in the middle and at the end: also tables,
@@ -30,3 +32,15 @@ def motions(case):
         for name in ("position", "velocity", "angularVelocity")
         for axis in "xyz"
     ])
+
+
+def run_in_parts(at_once, folder, step, steps, n):
+    """Run a case on four ranks, in n parts along the axes, at once, and as a
+    copy that stops and goes on in the middle. Returns the copy."""
+    at_once.decompose(4, n)
+    parts = BodyCase(at_once, folder, "parts")
+    at_once.solve(4)
+    for end in (step*steps/2, step*steps):
+        parts.controls(endTime=end)
+        assert "Bodies are spread over the ranks" in parts.solve(4)
+    return parts

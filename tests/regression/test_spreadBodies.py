@@ -14,7 +14,7 @@ from boxMesh import uniform
 from periodicBox import SIDES, set_fields
 from periodicTube import direct_pressure
 from slidingBox import centres, set_velocity, sliding_box
-from spreadRuns import motions, write_twice
+from spreadRuns import motions, run_in_parts, write_twice
 
 LENGTH, WIDTH, CELLS = 50, 8, 8
 ALONG, ACROSS = 40, 5
@@ -190,13 +190,7 @@ def test_sliding_sides(tmp_path):
 
 def test_restart_is_exact(tmp_path):
     at_once = crowd(tmp_path)
-    at_once.decompose(4, (4, 1, 1))
-    parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve(4)
-    for end in (STEP*STEPS/2, STEP*STEPS):
-        parts.controls(endTime=end)
-        log = parts.solve(4)
-        assert "Bodies are spread" in log
+    parts = run_in_parts(at_once, tmp_path, STEP, STEPS, (4, 1, 1))
 
     # The sums of fastPoisson may differ in the last bit from run to run
     a, b = motions(at_once), motions(parts)

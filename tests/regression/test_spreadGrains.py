@@ -10,7 +10,7 @@ from denseBox import column, grains, write_positions
 from foamCase import FoamError
 from openTube import passage
 from slidingBox import centres, set_velocity, sliding_box
-from spreadRuns import motions, write_twice
+from spreadRuns import motions, run_in_parts, write_twice
 
 DIAMETER, CELL, WIDTH, HEIGHT = 1e-3, 2e-3, 6, 34
 ACROSS, LAYERS = 10, 22
@@ -71,7 +71,8 @@ def rain(
                 ("falling", 1000, f"0.3 0.1 -{speed}"),
             )
         ),
-        f"contact {{ type softSphere; {contact or CONTACT} }} coupling {{ {DENSE} }} {traffic}",
+        f"contact {{ type softSphere; {contact or CONTACT} }}"
+        f" coupling {{ {DENSE} }} {traffic}",
     )
     case.gravity(0, 0, -gravity)
     write_twice(case, STEP, steps)
@@ -189,13 +190,7 @@ def test_sliding_sides(tmp_path):
 
 def test_restart_is_exact(tmp_path):
     at_once = rain(tmp_path)
-    at_once.decompose(4, PARTS[4])
-    parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve(4)
-    for end in (4*STEP, 8*STEP):
-        parts.controls(endTime=end)
-        log = parts.solve(4)
-        assert "Bodies are spread" in log
+    parts = run_in_parts(at_once, tmp_path, STEP, 8, PARTS[4])
 
     for name in ("U", "p", "uniform/immersedBodies"):
         a, b = (

@@ -11,7 +11,7 @@ from boxMesh import uniform
 from openTube import open_tube, passage
 from periodicTube import direct_pressure
 from sensorCase import add_sensor, passages
-from spreadRuns import motions, write_twice
+from spreadRuns import motions, run_in_parts, write_twice
 
 LENGTH, STEP, STEPS = 40, 0.02, 30
 CONTACT = (
@@ -186,13 +186,7 @@ def test_others_enter(coupling, tmp_path):
 def test_restart_is_exact(tmp_path):
     """While some wait to enter again."""
     at_once = rows(tmp_path)
-    at_once.decompose(4, (4, 1, 1))
-    parts = BodyCase(at_once, tmp_path, "parts")
-    at_once.solve(4)
-    for end in (STEP*STEPS/2, STEP*STEPS):
-        parts.controls(endTime=end)
-        log = parts.solve(4)
-        assert "Bodies are spread" in log
+    parts = run_in_parts(at_once, tmp_path, STEP, STEPS, (4, 1, 1))
 
     # The sums of fastPoisson may differ in the last bit from run to run
     assert np.max(np.abs(motions(at_once) - motions(parts))) < 1e-10
