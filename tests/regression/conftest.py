@@ -54,8 +54,8 @@ def pytest_collection_modifyitems(config, items):
 
 @pytest.fixture(scope="session", autouse=True)
 def one_at_a_time(request, tmp_path_factory):
-    """Of the processes of this run one at a time runs a solver on several
-    ranks: these wait for each other, which takes cores."""
+    """While one of the processes of this run has a solver on several ranks, no
+    other one runs any, see foamCase.place_for."""
     if hasattr(request.config, "workerinput"):
         folder = tmp_path_factory.getbasetemp().parent
         foamCase.ranks_lock = folder / "ranks.lock"

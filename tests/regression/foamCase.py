@@ -27,18 +27,21 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"python"))
 from grainfoam import tables
 
 
-# File that a run on several ranks locks, if there are other processes
+# File that runs lock, if there are other processes
 ranks_lock = None
 
 
 @contextlib.contextmanager
-def alone(ranks):
-    """Wait until no other process has a run on several ranks."""
-    if ranks == 1 or not ranks_lock:
+def place_for(ranks):
+    """Wait until there is no run on several ranks; for one on several, until
+    there is none at all. Its ranks wait for each other in each step: beside a
+    process that takes one of two cores they need five to thirty times as long.
+    """
+    if not ranks_lock:
         yield
         return
     with open(ranks_lock, "w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+        fcntl.flock(file, fcntl.LOCK_EX if ranks > 1 else fcntl.LOCK_SH)
         yield
 
 
@@ -86,7 +89,7 @@ class FoamCase:
             # Waiting ranks leave the core to others: there may be too few
             OMPI_MCA_mpi_yield_when_idle="1",
         )
-        with alone(ranks):
+        with place_for(ranks):
             done = subprocess.run(
                 command, cwd=self.path, env=environment, text=True,
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -8,6 +8,7 @@ import pytest
 
 from bodyCase import BodyCase
 from boxMesh import graded, uniform
+from spreadRuns import write_twice
 
 RADIUS, Y = 0.065, -0.3
 # Re 2, body-fitted finite elements in the frame of the disc: see the benchmark
@@ -90,18 +91,11 @@ def test_a_short_time_step_is_not_a_steady_state(free_disc, tmp_path):
     assert "Not steady after 10 steps: residual" in log
 
 
-def test_fixed_body_on_any_number_of_ranks(tmp_path):
-    """Stokes flow, in which diffusion sets the time scale."""
-    mesh = BodyCase("tube", tmp_path, "mesh")
-    mesh.mesh(uniform(-3, 3, 60), uniform(-1, 1, 20))
-    mesh.bodies("""
-        disc
-        {
-            shape       { type disc; radius 0.25; }
-            position    (-0.03 -0.3 0);
-            motion      { type fixed; }
-        }
-    """, "steady { tolerance 1e-3; }")
+def fixed(folder, length, bodies):
+    """A tube with fixed discs."""
+    mesh = BodyCase("tube", folder, "mesh")
+    mesh.mesh(uniform(-length/2, length/2, 10*length), uniform(-1, 1, 20))
+    mesh.bodies(bodies, "steady { tolerance 1e-3; }")
     # The solvers' errors, which depend on the ranks, are far below it
     for old, new in (
         ("GAMG;", "PCG;"),
@@ -114,19 +108,59 @@ def test_fixed_body_on_any_number_of_ranks(tmp_path):
         "div(phi,U)          none",
     )
     mesh.controls(endTime="100", deltaT="0.1")
+    return mesh
 
-    found = []
-    for ranks, parts in ((1, None), (2, (2, 1, 1)), (4, (2, 2, 1))):
-        case = BodyCase(mesh, tmp_path, f"ranks{ranks}")
-        log = case.solve(ranks, parts)
-        folder = "processor0" if ranks > 1 else "."
-        assert float(case.latest_time(folder)) \
-            == pytest.approx(0.1*steps(log))
-        found.append((steps(log), case.table("forces")["fluidForce_x"][-1]))
+
+def check_ranks(mesh, folder, *ranks):
+    """As many steps and the same forces; returns the logs."""
+    found, logs = [], []
+    for n, parts in ((1, None), *ranks):
+        case = BodyCase(mesh, folder, f"ranks{n}")
+        log = case.solve(n, parts)
+        time = case.latest_time("processor0" if n > 1 else ".")
+        assert float(time) == pytest.approx(0.1*steps(log))
+        found.append((steps(log), case.columns("forces")["fluidForce_x"]))
+        logs.append(log)
 
     assert len({n for n, _ in found}) == 1
     for _, force in found[1:]:
         assert force == pytest.approx(found[0][1], rel=1e-7)
+    return logs
+
+
+def test_fixed_body_on_any_number_of_ranks(tmp_path):
+    """Stokes flow, in which diffusion sets the time scale."""
+    mesh = fixed(tmp_path, 6, """
+        disc
+        {
+            shape       { type disc; radius 0.25; }
+            position    (-0.03 -0.3 0);
+            motion      { type fixed; }
+        }
+    """)
+    check_ranks(mesh, tmp_path, (2, (2, 1, 1)), (4, (2, 2, 1)))
+
+
+def test_many_fixed_bodies(tmp_path):
+    """Each rank holds those near to it, and knows when all are steady."""
+    at = " ".join(
+        f"({0.8*i - 15.6} {y} 0)" for i in range(40) for y in (-0.5, 0.53)
+    )
+    mesh = fixed(tmp_path, 32, f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.2; }}
+            positions   ({at});
+            motion      {{ type fixed; }}
+        }}
+    """)
+    write_twice(mesh, 0.1, 1000)
+    one, four = check_ranks(mesh, tmp_path, (4, (4, 1, 1)))
+    assert "Bodies are spread over the ranks: 80" in four
+    # Differences of forces from step to step
+    assert residuals(four) == pytest.approx(residuals(one), rel=1e-5)
+    names = [re.findall(r"residual \S+ \((.*)\)", log) for log in (one, four)]
+    assert names[0] == names[1]
 
 
 def test_bodies_that_part_are_not_steady(free_disc, tmp_path):

@@ -186,6 +186,7 @@ void Foam::flowSolvers::fluidWithBodies::endIfSteady()
     if (steady.steady())
     {
         Info<< "Steady after " << nSteps << " steps" << endl;
+        bodies_.unite();
         runTime_.writeAndEnd();
     }
     else if (left < 0.5*runTime_.deltaTValue())

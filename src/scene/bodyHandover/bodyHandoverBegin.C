@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyHandover.H"
-#include "bodyPacket.H"
 
 namespace
 {
@@ -48,7 +47,7 @@ bool Foam::bodyHandover::allCan() const
 
     for (const immersedBody& body : bodies_)
     {
-        if (!bodyPacket::suffices(body))
+        if (body.needsAmbient())
         {
             return false;
         }

@@ -18,7 +18,8 @@ Foam::labelList Foam::bodyHandover::findOwners(const label first) const
     labelList start;
     const List<label> found(gatherAll<label>(mine, start));
 
-    // One on a face may have several, one that is leaving has none
+    // One on a face may have several, one that is leaving, or on a plane of
+    // symmetry, has none
     labelList owners(n, label(-1));
 
     for (label rank = Pstream::nProcs() - 1; rank >= 0; --rank)
@@ -62,7 +63,6 @@ Foam::labelList Foam::bodyHandover::newOwners() const
 
         if (share_.mine(i))
         {
-            // Without claims it stays where it is
             owners[i] = here ? me : Pstream::nProcs();
         }
         else if (here)
@@ -82,9 +82,13 @@ Foam::labelList Foam::bodyHandover::newOwners() const
             owner = owner == me ? me : min(owner, rank);
         }
     }
-    for (label& owner : owners)
+    // In no cell: it leaves, or is on a plane of symmetry
+    forAll(owners, i)
     {
-        owner = owner == Pstream::nProcs() ? me : owner;
+        if (owners[i] == Pstream::nProcs())
+        {
+            owners[i] = bounds_.nearest(bodies_[i].state().position);
+        }
     }
 
     return owners;

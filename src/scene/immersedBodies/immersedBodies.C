@@ -146,7 +146,7 @@ Foam::immersedBodies::immersedBodies
             unresolved_->coupling().kernels(),
             periodicity_,
             contacts_->wallMargin(),
-            maySpread()
+            contacts_->follow(bodies_.share())
         )
     ),
     resolution_
@@ -267,13 +267,6 @@ Foam::scalar Foam::immersedBodies::cellsOnTheWay(const bool resolved) const
     }
 
     return bodies_.share().largest(most);
-}
-
-
-bool Foam::immersedBodies::maySpread()
-{
-    // The contact model follows what there is
-    return !steady_.active() && contacts_->follow(bodies_.share());
 }
 
 

@@ -83,6 +83,27 @@ void Foam::steadyMonitor::note
 }
 
 
+void Foam::steadyMonitor::agree()
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    const scalar mine = residual_;
+    List<string> names(Pstream::nProcs());
+
+    reduce(residual_, maxOp<scalar>());
+    names[Pstream::myProcNo()] = mine == residual_ ? largest_ : string();
+    compat::allGather(names);
+
+    forAllReverse(names, rank)
+    {
+        largest_ = names[rank].empty() ? largest_ : names[rank];
+    }
+}
+
+
 void Foam::steadyMonitor::update
 (
     const PtrList<immersedBody>& bodies,
@@ -93,52 +114,50 @@ void Foam::steadyMonitor::update
     const scalar dt
 )
 {
-    // Also if bodies have left
-    const bool first = values_.size() != 4*bodies.size();
+    const char* const quantities[] = {"velocity", "spin", "force", "torque"};
     const scalar perT = max(T/dt, 1);
+    Map<FixedList<vector, 4>> values(2*bodies.size());
+    bool known = true;
 
-    values_.resize(4*bodies.size(), vector::zero);
     residual_ = 0;
 
-    forAll(bodies, bodyi)
+    for (const immersedBody& body : bodies)
     {
-        const immersedBody& body = bodies[bodyi];
         const scalar R = body.shape().boundingRadius();
         const vector rim(R*body.state().omega);
         const vector force(body.fluid().force());
         const scalar load = max(mag(force), nu*speed*body.volume()/sqr(R));
-        vector* old = &values_[4*bodyi];
+        const scalar references[] = {speed, speed, load, load};
+        FixedList<vector, 4>& now = values(body.number());
 
-        auto take = [&]
-        (
-            vector& last,
-            const vector& value,
-            const scalar reference,
-            const char* quantity
-        )
+        now[0] = body.state().U;
+        now[1] = rim;
+        now[2] = force;
+        now[3] = body.fluid().torque()/R;
+
+        const auto old = values_.cfind(body.number());
+
+        known = known && old.found();
+        for (label i = 0; i < 4 && old.found(); ++i)
         {
-            note(perT*change(value, last, reference), body, quantity);
-            last = value;
-        };
-
-        take(old[0], body.state().U, speed, "velocity");
-        take(old[1], rim, speed, "spin");
-        take(old[2], force, load, "force");
-        take(old[3], body.fluid().torque()/R, load, "torque");
+            note
+            (
+                perT*change(now[i], old()[i], references[i]),
+                body, quantities[i]
+            );
+        }
 
         const scalar crossing = mag(body.state().U - meshU)
           + (body.shape().round() ? 0 : mag(rim));
 
         note(crossing*max(T, dt)/R, body, "motion in the mesh");
     }
+    values_.transfer(values);
 
-    if (first)
+    agree();
+    if (!returnReduce(known, andOp<bool>()))
     {
         residual_ = GREAT;
-    }
-    else if (Pstream::parRun())
-    {
-        compat::broadcast(residual_);
     }
 }
 
