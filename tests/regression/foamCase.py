@@ -34,8 +34,8 @@ ranks_lock = None
 @contextlib.contextmanager
 def place_for(ranks):
     """Wait until there is no run on several ranks; for one on several, until
-    there is none at all. Its ranks wait for each other in each step: beside a
-    process that takes one of two cores they need five to thirty times as long.
+    there is none at all. Its ranks wait for each other: beside a process that
+    keeps one of two cores busy four of them took more than seven times as long.
     """
     if not ranks_lock:
         yield

@@ -169,13 +169,12 @@ def test_held(tmp_path):
 def test_others_enter(coupling, tmp_path):
     """Such that the mesh does not resolve; or it decides on that anew: as soon
     as it resolves one, all ranks hold all."""
-    low, high = -0.02, 0.02
     happened = run_on_ranks(
         place(
             deep_tube(tmp_path, 1), "type sphere; radius 0.3;",
             [(y, z) for y in (-0.6, 0.6) for z in (-0.6, 0.6)], apart=1.6,
             outlet=AGAIN, injected={
-                "shape": "type sphere; radius 0.2;", "low": low, "high": high,
+                "shape": "type sphere; radius 0.2;", "low": -0.02, "high": 0.02,
                 "injected": f"coupling {coupling};",
             },
         ), tmp_path,
