@@ -185,7 +185,9 @@ TEST_CASE("What is no Laplacian on a box is solved otherwise", "[fastPoisson]")
 
 TEST_CASE("New conditions are noticed", "[fastPoisson]")
 {
-    boxMesh box(makeBox({9, 7, 1}, {"zf", "zz", "zz"}, 0));
+    // Few rows, all of which are looked at, and many
+    const label n = GENERATE(9, 220);
+    boxMesh box(makeBox({n, n - 2, 1}, {"zf", "zz", "zz"}, 0));
     box.processor = processors(0, box);
     problem made(box);
     made.solve(made.equation(1).ref(), false);
@@ -205,6 +207,29 @@ TEST_CASE("New conditions are noticed", "[fastPoisson]")
 
     CHECK(made.solve(eqn.ref(), false) < 1e-8);
     CHECK(made.performance.solverName() == "fastPoisson");
+}
+
+
+TEST_CASE("The residual of many rows is estimated", "[fastPoisson]")
+{
+    boxMesh box(makeBox({230, 170, 1}, {"zf", "ff", "zz"}, 0));
+    box.processor = processors(0, box);
+    problem made(box);
+    scalar residual[2];
+
+    for (scalar& of : residual)
+    {
+        CHECK(made.solve(made.equation(1).ref(), false) < 1e-10);
+        of = made.performance.finalResidual();
+    }
+
+    // The first one is of all rows
+    if (!Pstream::parRun())
+    {
+        CHECK(residual[1] != residual[0]);
+    }
+    CHECK(residual[1] > 0.5*residual[0]);
+    CHECK(residual[1] < 2*residual[0]);
 }
 
 

@@ -205,3 +205,48 @@ TEST_CASE("Sweeps over components at once are those of each", "[fusedKernels]")
     CHECK(gMax(mag(change)()) > 0.1);
     CHECK(gMax(mag(fused - flow.U.primitiveField())()) < 1e-13);
 }
+
+
+TEST_CASE("Residuals of many rows are estimated", "[fusedKernels]")
+{
+    randomFlow flow("orthogonal", 0.4, Vector<label>(50, 40, 20));
+    const dictionary controls
+    (
+        dict
+        (
+            "solver smoothSolver; smoother symGaussSeidel; tolerance 0;"
+            "relTol 0; maxIter 2;"
+        )
+    );
+    fvVectorMatrix eqn
+    (
+        fvm::div(flow.phi, flow.U)
+      - fvm::laplacian(dimensionedScalar("nu", dimViscosity, 2), flow.U)
+    );
+    eqn.diag() += 30*flow.mesh->V().field();
+    eqn.source() = flow.gradP.primitiveField();
+
+    volVectorField start("start", flow.U);
+    const SolverPerformance<vector> some
+    (
+        vectorSmoothSolver(eqn, flow.U).solve(controls)
+    );
+    const plainForms off;
+
+    flow.U = start;
+    const SolverPerformance<vector> all(eqn.solve(controls));
+
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        CHECK
+        (
+            some.initialResidual()[cmpt]
+         == Approx(all.initialResidual()[cmpt]).epsilon(0.15)
+        );
+        CHECK
+        (
+            some.finalResidual()[cmpt]
+         == Approx(all.finalResidual()[cmpt]).epsilon(0.15)
+        );
+    }
+}

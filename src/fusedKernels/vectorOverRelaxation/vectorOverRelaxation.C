@@ -89,12 +89,23 @@ void Foam::vectorOverRelaxation::setFactors(const Field<Diagonal>& rDiag)
 Foam::vector Foam::vectorOverRelaxation::begin()
 {
     const vector norm(vectorSmoothSolver::begin());
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
+    const scalarField& lower = matrix_.lower();
 
-    forAll(work_, celli)
-    {
-        work_[celli] = source_[celli] - work_[celli];
-    }
     before_ = coupledProducts();
+    work_ = source_;
+    addCoupled(1, before_, work_);
+
+    forAll(psi_, celli)
+    {
+        const vector x(psi_[celli]);
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            work_[u[facei]] -= lower[facei]*x;
+        }
+    }
 
     return norm;
 }

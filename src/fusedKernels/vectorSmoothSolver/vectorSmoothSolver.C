@@ -201,6 +201,8 @@ void Foam::vectorSmoothSolver::weigh
 {
     weights_.resize(residual_.size(), 1);
     UIndirectList<scalar>(weights_, cells) = weights;
+    weighed_.resize(residual_.size());
+    weighed_.set(cells);
 }
 
 

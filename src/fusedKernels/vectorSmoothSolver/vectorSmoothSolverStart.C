@@ -2,8 +2,9 @@
 
 #include "vectorSmoothSolver.H"
 #include "faceSums.H"
+#include "neighbourSum.H"
 #include "rowProducts.H"
-
+#include "rowSample.H"
 
 Foam::List<Foam::vectorField> Foam::vectorSmoothSolver::productsWithTrend()
 {
@@ -25,85 +26,117 @@ Foam::List<Foam::vectorField> Foam::vectorSmoothSolver::productsWithTrend()
 }
 
 
-void Foam::vectorSmoothSolver::addCoupledRows(scalarField& sumA) const
+void Foam::vectorSmoothSolver::setCoupled
+(
+    const rowSample& sample,
+    const List<vectorField>& products,
+    vectorField& sums
+) const
 {
-    forAll(psi_.boundaryField(), patchi)
-    {
-        if (psi_.boundaryField()[patchi].coupled())
-        {
-            const labelUList& cells = matrix_.lduAddr().patchAddr(patchi);
-            const vectorField& coeffs = matrix_.boundaryCoeffs()[patchi];
+    UIndirectList<vector>(sums, sample.rows()) = Zero;
 
-            // The same for all components where patches are coupled
-            forAll(coeffs, i)
-            {
-                sumA[cells[i]] -= coeffs[i].x();
-            }
+    forAll(products, patchi)
+    {
+        if (products[patchi].size())
+        {
+            UIndirectList<vector>(sums, matrix_.lduAddr().patchAddr(patchi))
+                = Zero;
         }
     }
+
+    addCoupled(-1, products, sums);
 }
 
 
-template<bool follows, class Diagonal>
-Foam::vector Foam::vectorSmoothSolver::begin
+template<class Diagonal>
+Foam::vectorField Foam::vectorSmoothSolver::productsWithMean
+(
+    const rowSample& sample,
+    const Field<Diagonal>& diag
+) const
+{
+    const neighbourSum neighbours(matrix_);
+    List<vectorField> coeffs(psi_.boundaryField().size());
+    vectorField products(psi_.size());
+    vector sum(Zero);
+    scalar n = 0;
+
+    forAll(coeffs, patchi)
+    {
+        if (psi_.boundaryField()[patchi].coupled())
+        {
+            coeffs[patchi] = matrix_.boundaryCoeffs()[patchi];
+        }
+    }
+    setCoupled(sample, coeffs, products);
+
+    forAll(sample.rows(), i)
+    {
+        sum += sample.standsFor(i)*psi_[sample.rows()[i]];
+        n += sample.standsFor(i);
+    }
+    reduce(sum, sumOp<vector>());
+    reduce(n, sumOp<scalar>());
+
+    const vector mean(sum/max(n, scalar(1)));
+
+    for (const label celli : sample.rows())
+    {
+        products[celli] =
+            cmptMultiply(products[celli], mean)
+          + neighbours.coefficients(celli)*mean
+          + scaled(mean, diag[celli]);
+    }
+
+    return products;
+}
+
+
+template<class Diagonal>
+Foam::vector Foam::vectorSmoothSolver::sumStart
 (
     const Field<Diagonal>& diag,
-    const vectorField& trend,
     vector& sumGiven
 )
 {
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
-    const scalarField& lower = matrix_.lower();
-    const scalarField& upper = matrix_.upper();
-    vectorField& psi = psi_.primitiveFieldRef();
-    const vector mean(gAverage(psi));
-    scalarField sumA(psi.size(), Zero);
+    const rowSample sample(psi_.size(), psi_.time().timeIndex(), weighed_);
+    const vectorField ofMean(productsWithMean(sample, diag));
+    const neighbourSum neighbours(matrix_);
+    const bool follows = trend_.valid();
     vector sum(Zero);
 
-    // Of psi as given and, if different, with the trend
-    vectorField& given = follows ? residual_ : work_;
-
-    addCoupledRows(sumA);
     sumGiven = sumMag_ = Zero;
+    setCoupled(sample, coupledProducts(), residual_);
 
-    // Faces are in the order of their owners: when its turn comes a row has got
-    // all that its lower neighbours add to it, and none of them needs its psi
-    // any more
-    forAll(sumA, celli)
+    if (follows)
     {
-        const vector x(psi[celli]);
-        const vector y(follows ? x + trend[celli] : x);
-        vector Ax(given[celli] + scaled(x, diag[celli]));
-        vector Ay(work_[celli] + scaled(y, diag[celli]));
-        scalar rowSum = sumA[celli];
+        setCoupled(sample, productsWithTrend(), work_);
+    }
 
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            const label n = u[facei];
+    forAll(sample.rows(), i)
+    {
+        const label celli = sample.rows()[i];
+        const scalar w = sample.standsFor(i)*weight(celli);
+        const vector& b = source_[celli];
+        const vector others
+        (
+            neighbours(celli, psi_) + scaled(psi_[celli], diag[celli])
+        );
+        const vector rest(b - others - residual_[celli]);
 
-            Ax += upper[facei]*psi[n];
-            given[n] += lower[facei]*x;
-            rowSum += upper[facei];
-            sumA[n] += lower[facei];
-
-            if (follows)
-            {
-                Ay += upper[facei]*(psi[n] + trend[n]);
-                work_[n] += lower[facei]*y;
-            }
-        }
-
-        const vector reference(rowSum*mean + scaled(mean, diag[celli]));
-
-        addMag(sum, weight(celli)*(Ax - reference));
-        addMag(sum, weight(celli)*(source_[celli] - reference));
-        addMag(sumGiven, weight(celli)*(source_[celli] - Ax));
+        addMag(sum, w*(b - rest - ofMean[celli]));
+        addMag(sum, w*(b - ofMean[celli]));
+        addMag(sumGiven, w*rest);
 
         if (follows)
         {
-            addMag(sumMag_, weight(celli)*(source_[celli] - Ay));
-            psi[celli] = y;
+            const vectorField& trend = trend_();
+            const vector change
+            (
+                neighbours(celli, trend) + scaled(trend[celli], diag[celli])
+            );
+
+            addMag(sumMag_, w*(b - others - change - work_[celli]));
         }
     }
 
@@ -112,55 +145,36 @@ Foam::vector Foam::vectorSmoothSolver::begin
 }
 
 
-template<class Diagonal>
-Foam::vector Foam::vectorSmoothSolver::begin(const Field<Diagonal>& diag)
+Foam::vector Foam::vectorSmoothSolver::begin()
 {
     vector sumGiven;
+    const vector norm
+    (
+        diags_.empty() ? sumStart(diag_, sumGiven) : sumStart(diags_, sumGiven)
+    );
 
-    work_ = Zero;
-    addCoupled(-1, coupledProducts(), work_);
+    performance_.initialResidual() = scaledResidual(sumGiven, norm);
+    performance_.finalResidual() = performance_.initialResidual();
 
     if (!trend_.valid())
     {
-        const vector norm(begin<false>(diag, vectorField::null(), sumGiven));
-
         sumMag_ = sumGiven;
-        performance_.initialResidual() = scaledResidual(sumGiven, norm);
-        performance_.finalResidual() = performance_.initialResidual();
-
         return norm;
     }
 
-    residual_ = work_;
-    work_ = Zero;
-    addCoupled(-1, productsWithTrend(), work_);
+    const vector followed(scaledResidual(sumMag_, norm));
 
-    const vector norm(begin<true>(diag, trend_(), sumGiven));
-
-    performance_.initialResidual() = scaledResidual(sumGiven, norm);
-    performance_.finalResidual() = scaledResidual(sumMag_, norm);
-
-    // Also if one of them is not a number
-    if
-    (
-       !(
-            cmptSum(performance_.finalResidual())
-          < cmptSum(performance_.initialResidual())
-        )
-    )
+    // Not if one of them is not a number
+    if (cmptSum(followed) < cmptSum(performance_.initialResidual()))
     {
-        performance_.finalResidual() = performance_.initialResidual();
+        performance_.finalResidual() = followed;
+        psi_.primitiveFieldRef() += trend_();
+    }
+    else
+    {
         sumMag_ = sumGiven;
-        psi_.primitiveFieldRef() -= trend_();
         updateCoupled();
-        work_ = residual_;
     }
 
     return norm;
-}
-
-
-Foam::vector Foam::vectorSmoothSolver::begin()
-{
-    return diags_.empty() ? begin(diag_) : begin(diags_);
 }

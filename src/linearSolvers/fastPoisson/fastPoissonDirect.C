@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fastPoisson.H"
+#include "compatMesh.H"
+#include "neighbourSum.H"
 #include "PstreamReduceOps.H"
+#include "rowSample.H"
 #include <algorithm>
 
 namespace
@@ -49,6 +52,66 @@ Foam::scalar Foam::fastPoisson::setResidual(solution& x) const
     );
 
     return gSumMag(x.residual)/x.norm;
+}
+
+
+Foam::scalar Foam::fastPoisson::estimateResidual
+(
+    solution& x,
+    const label which
+) const
+{
+    const rowSample sample(x.psi.size(), which);
+    const neighbourSum neighbours(matrix_);
+    const scalarField& diag = matrix_.diag();
+    scalar sum = 0;
+
+    for (const label celli : sample.rows())
+    {
+        x.residual[celli] = x.source[celli];
+    }
+
+    compat::subtractCoupled
+    (
+        matrix_, interfaceBouCoeffs_, interfaces_, x.psi, x.residual, x.cmpt
+    );
+
+    forAll(sample.rows(), i)
+    {
+        const label celli = sample.rows()[i];
+
+        sum += sample.standsFor(i)*mag
+        (
+            x.residual[celli]
+          - diag[celli]*x.psi[celli]
+          - neighbours(celli, x.psi)
+        );
+    }
+
+    return returnReduce(sum, sumOp<scalar>())/x.norm;
+}
+
+
+bool Foam::fastPoisson::check
+(
+    const bool estimate,
+    const label which,
+    solution& x
+) const
+{
+    if (estimate)
+    {
+        x.performance.finalResidual() = estimateResidual(x, which);
+
+        if (x.performance.checkConvergence(tolerance_, relTol_))
+        {
+            return true;
+        }
+    }
+
+    x.performance.finalResidual() = setResidual(x);
+
+    return x.performance.checkConvergence(tolerance_, relTol_);
 }
 
 
@@ -115,7 +178,13 @@ Foam::scalar Foam::fastPoisson::attainable
 }
 
 
-bool Foam::fastPoisson::refine(const boxSolver& direct, solution& x) const
+bool Foam::fastPoisson::refine
+(
+    const boxSolver& direct,
+    const bool known,
+    const label which,
+    solution& x
+) const
 {
     const label maxSolutions = 4;
     scalarField correction;
@@ -135,10 +204,9 @@ bool Foam::fastPoisson::refine(const boxSolver& direct, solution& x) const
             x.psi += correction;
         }
 
-        x.performance.finalResidual() = setResidual(x);
         ++x.performance.nIterations();
 
-        if (x.performance.checkConvergence(tolerance_, relTol_))
+        if (check(known, which, x))
         {
             return true;
         }
@@ -156,11 +224,12 @@ bool Foam::fastPoisson::refine(const boxSolver& direct, solution& x) const
 bool Foam::fastPoisson::solveDirectly(const polyMesh& mesh, solution& x) const
 {
     const boxSolverCache& cache = boxSolverCache::New(mesh);
+    const label which = mesh.time().timeIndex();
     const boxSolver* direct = cache.find(fieldName_);
 
     if (direct)
     {
-        if (refine(*direct, x))
+        if (refine(*direct, true, which, x))
         {
             return true;
         }
@@ -171,7 +240,7 @@ bool Foam::fastPoisson::solveDirectly(const polyMesh& mesh, solution& x) const
 
     direct = cache.make(*this);
 
-    if (!direct || refine(*direct, x))
+    if (!direct || refine(*direct, false, which, x))
     {
         return direct;
     }
