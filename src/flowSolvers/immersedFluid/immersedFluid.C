@@ -77,7 +77,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     layers_(projection_.dp(), pRefCell, bodies_.region()),
     correction_
     (
-        p_, projection_.dp(), U_, bodies_.region(), bodies_.moving()
+        projection_, p_, phi_, U_, bodies_.region(), bodies_.moving()
     ),
     flowRate_(findFlowRate()),
     bodyWalls_(nullptr),

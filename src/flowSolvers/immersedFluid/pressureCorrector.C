@@ -66,7 +66,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     predictBodyFlux();
 
-    const scalarField divPhi(divergence(phi_));
+    const scalarField divPhi(correction_.divergence());
 
     layers_.begin(layersLag());
     if (layers_.active())
@@ -89,9 +89,9 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
         );
     }
     solveProjection(tau, layers_.active() ? divergence(phi_) : divPhi);
-    projection_.correctFlux(tau, phi_);
+    correction_.correctFlux(tau, mayWait());
     updatePressure(divPhi);
-    correction_.find(tau.value(), mayWait());
+    correction_.find(tau.value());
     if (layers_.active())
     {
         layers_.addVelocity(tau, correction_.dU());

@@ -46,6 +46,13 @@ void Foam::pendingCorrection::findCells()
         beside_.resize(nCells);
         beside_.set(part_.cells);
         part_.find(region_.neighbours(), beside_);
+
+        faces_ = part_.between;
+
+        for (const auto& edge : part_.edges)
+        {
+            faces_.append(edge.beyond.face());
+        }
     }
 }
 
@@ -74,6 +81,35 @@ bool Foam::pendingCorrection::begin()
     }
 
     return active_;
+}
+
+
+Foam::scalarField Foam::pendingCorrection::divergence
+(
+    const surfaceScalarField& phi
+) const
+{
+    const scalarField& V = phi.mesh().V();
+    scalarField div(V.size(), Zero);
+
+    for (const label celli : part_.cells)
+    {
+        scalar sum = 0;
+
+        for (const auto& n : region_.neighbours().of(celli))
+        {
+            sum += n.owner() ? phi[n.face()] : -phi[n.face()];
+        }
+
+        for (const auto& face : region_.neighbours().onPatches(celli))
+        {
+            sum += phi.boundaryField()[face.patch][face.face];
+        }
+
+        div[celli] = sum/V[celli];
+    }
+
+    return div;
 }
 
 

@@ -163,48 +163,103 @@ void Foam::projection::solve
 }
 
 
+void Foam::projection::correctInside
+(
+    const scalar tau,
+    const scalarField& dp,
+    scalarField& phi
+) const
+{
+    const labelUList& owner = dp_.mesh().owner();
+    const labelUList& neighbour = dp_.mesh().neighbour();
+    const scalarField& upper = equation_->upper();
+
+    forAll(upper, facei)
+    {
+        const scalar flux =
+            upper[facei]*dp[neighbour[facei]] - upper[facei]*dp[owner[facei]];
+
+        phi[facei] -= tau*flux;
+    }
+}
+
+
+void Foam::projection::correctOnPatches
+(
+    const scalar tau,
+    surfaceScalarField& phi
+) const
+{
+    forAll(dp_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& dp = dp_.boundaryField()[patchi];
+        scalarField flux
+        (
+            equation_->internalCoeffs()[patchi]*dp.patchInternalField()
+        );
+
+        if (dp.coupled())
+        {
+            flux -= equation_->boundaryCoeffs()[patchi]
+               *dp.patchNeighbourField();
+        }
+
+        phi.boundaryFieldRef()[patchi] -= tau*flux;
+    }
+}
+
+
 void Foam::projection::correctFlux
 (
     const dimensionedScalar& tau,
     surfaceScalarField& phi
 )
 {
-    fvScalarMatrix& equation = equation_();
-
-    if (equation.faceFluxCorrectionPtr())
+    if (!compact())
     {
-        phi -= tau*equation.flux();
+        phi -= tau*equation_->flux();
         return;
     }
 
     // The same in one pass over the faces
-    scalarField& phiInside = phi.primitiveFieldRef();
-    surfaceScalarField::Boundary& phiOnPatches = phi.boundaryFieldRef();
+    correctInside(tau.value(), dp_, phi.primitiveFieldRef());
+    correctOnPatches(tau.value(), phi);
+}
+
+
+void Foam::projection::correctFlux
+(
+    const scalar tau,
+    const labelUList& faces,
+    surfaceScalarField& phi
+) const
+{
     const labelUList& owner = dp_.mesh().owner();
     const labelUList& neighbour = dp_.mesh().neighbour();
-    const scalarField& upper = equation.upper();
+    const scalarField& upper = equation_->upper();
 
-    forAll(upper, facei)
+    for (const label facei : faces)
     {
         const scalar flux = upper[facei]*dp_[neighbour[facei]]
           - upper[facei]*dp_[owner[facei]];
 
-        phiInside[facei] -= tau.value()*flux;
+        phi[facei] -= tau*flux;
     }
+    correctOnPatches(tau, phi);
+}
 
-    forAll(dp_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& dp = dp_.boundaryField()[patchi];
-        scalarField flux
-        (
-            equation.internalCoeffs()[patchi]*dp.patchInternalField()
-        );
 
-        if (dp.coupled())
-        {
-            flux -= equation.boundaryCoeffs()[patchi]*dp.patchNeighbourField();
-        }
+void Foam::projection::correctOtherFluxes
+(
+    const scalar tau,
+    const scalarField& sum,
+    const labelUList& faces,
+    surfaceScalarField& phi
+) const
+{
+    scalarField& inside = phi.primitiveFieldRef();
+    const scalarField before(inside, faces);
 
-        phiOnPatches[patchi] -= tau.value()*flux;
-    }
+    correctInside(tau, sum, inside);
+    UIndirectList<scalar>(inside, faces) = before;
 }

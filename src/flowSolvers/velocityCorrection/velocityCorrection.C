@@ -2,27 +2,31 @@
 
 #include "velocityCorrection.H"
 #include "comovingDerivative.H"
+#include "faceSums.H"
 #include "fvcGrad.H"
 #include "pairGradient.H"
 
 Foam::velocityCorrection::velocityCorrection
 (
+    projection& projection,
     const volScalarField& p,
-    const volScalarField& dp,
+    surfaceScalarField& phi,
     volVectorField& U,
     const immersedRegion& region,
     const bool moving
 )
 :
+    projection_(projection),
     p_(p),
-    dp_(dp),
+    dp_(projection.dp()),
+    phi_(phi),
     U_(U),
     paired_(pairGradient::serves(p.mesh(), "grad(p)")),
     waits_(false)
 {
     if (moving)
     {
-        pending_.reset(new pendingCorrection(region, dp));
+        pending_.reset(new pendingCorrection(region, dp_));
     }
 }
 
@@ -55,17 +59,46 @@ bool Foam::velocityCorrection::outdated() const
 }
 
 
-void Foam::velocityCorrection::find(const scalar tau, const bool mayWait)
+bool Foam::velocityCorrection::fluxWaits() const
 {
-    const bool together = paired_ && gradP_.valid();
+    return pending_.valid() && pending_->active() && projection_.compact();
+}
 
-    waits_ = mayWait && together && pending_.valid() && pending_->begin();
 
+Foam::scalarField Foam::velocityCorrection::divergence() const
+{
+    // What waits is free of it but for the pressure of which it waits
+    return fluxWaits() ? pending_->divergence(phi_) : Foam::divergence(phi_);
+}
+
+
+void Foam::velocityCorrection::correctFlux
+(
+    const dimensionedScalar& tau,
+    const bool mayWait
+)
+{
+    waits_ = mayWait && paired_ && gradP_.valid() && pending_.valid()
+     && pending_->begin();
+
+    if (waits_ && projection_.compact())
+    {
+        projection_.correctFlux(tau.value(), pending_->faces(), phi_);
+    }
+    else
+    {
+        projection_.correctFlux(tau, phi_);
+    }
+}
+
+
+void Foam::velocityCorrection::find(const scalar tau)
+{
     if (waits_)
     {
         pending_->add(p_, dp_, tau, gradP_.ref(), dU_);
     }
-    else if (together)
+    else if (paired_ && gradP_.valid())
     {
         pairGradient::set(p_, dp_, tau, gradP_.ref(), dU_);
     }
@@ -93,6 +126,14 @@ void Foam::velocityCorrection::apply()
 
 void Foam::velocityCorrection::complete(const scalar tau)
 {
+    if (fluxWaits())
+    {
+        projection_.correctOtherFluxes
+        (
+            tau, pending_->sum(), pending_->faces(), phi_
+        );
+    }
+
     if (pending_.valid() && pending_->active())
     {
         pending_->complete(p_, tau, gradP_.ref(), dU_, U_);
