@@ -135,13 +135,12 @@ void Foam::flowSolvers::immersedFluid::extrapolatePressure()
 
         p_.primitiveFieldRef() += part*ratio
            *(p0.primitiveField() - p0.oldTime().primitiveField());
-        correction_.forgetGradP();
     }
 
     // Those on patches may depend on time
     const scalarField before(patchValues(p_));
     p_.correctBoundaryConditions();
-    const bool changed = patchValues(p_) != before;
+    const bool changed = part > 0 || patchValues(p_) != before;
 
     if (!correction_.hasGradP() || returnReduce(changed, orOp<bool>()))
     {

@@ -33,7 +33,14 @@ Foam::velocityCorrection::velocityCorrection
 
 void Foam::velocityCorrection::updateGradP()
 {
-    gradP_ = fvc::grad(p_);
+    if (paired_ && gradP_.valid())
+    {
+        pairGradient::set(p_, gradP_.ref());
+    }
+    else
+    {
+        gradP_ = fvc::grad(p_);
+    }
 }
 
 

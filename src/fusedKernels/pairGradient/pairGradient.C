@@ -96,28 +96,29 @@ public:
 
 
 //- Add the faces of a patch to the sums of value times area of its cells
-void addPatch
-(
-    const fvPatchScalarField& p,
-    const fvPatchScalarField& q,
-    vectorField& gradP,
-    vectorField& gradQ
-)
+void addPatch(const fvPatchScalarField& p, vectorField& sums)
 {
     const label patchi = p.patch().index();
     const fvMesh& mesh = p.patch().boundaryMesh().mesh();
-    const scalarField& weights = mesh.weights().boundaryField()[patchi];
     const vectorField& Sf = mesh.Sf().boundaryField()[patchi];
     const labelUList& faceCells = p.patch().faceCells();
-
-    const tmp<scalarField> tp(faceValues(p, weights));
-    const tmp<scalarField> tq(faceValues(q, weights));
+    const tmp<scalarField> tp
+    (
+        faceValues(p, mesh.weights().boundaryField()[patchi])
+    );
 
     forAll(Sf, i)
     {
-        gradP[faceCells[i]] += Sf[i]*tp()[i];
-        gradQ[faceCells[i]] += Sf[i]*tq()[i];
+        sums[faceCells[i]] += Sf[i]*tp()[i];
     }
+}
+
+
+//- Bring the values of a gradient on patches up to date
+void correctPatches(const volScalarField& p, volVectorField& gradP)
+{
+    gradP.correctBoundaryConditions();
+    fv::gaussGrad<scalar>::correctBoundaryConditions(p, gradP);
 }
 
 } // End anonymous namespace
@@ -171,13 +172,8 @@ void Foam::pairGradient::set
     // Last, for the very sums of gaussGrad, which a restart has
     forAll(p.boundaryField(), patchi)
     {
-        addPatch
-        (
-            p.boundaryField()[patchi],
-            q.boundaryField()[patchi],
-            sumP,
-            gradQ
-        );
+        addPatch(p.boundaryField()[patchi], sumP);
+        addPatch(q.boundaryField()[patchi], gradQ);
     }
 
     for (const label celli : beside)
@@ -186,8 +182,51 @@ void Foam::pairGradient::set
         gradQ[celli] *= factor/V[celli];
     }
 
-    gradP.correctBoundaryConditions();
-    fv::gaussGrad<scalar>::correctBoundaryConditions(p, gradP);
+    correctPatches(p, gradP);
+}
+
+
+void Foam::pairGradient::set(const volScalarField& p, volVectorField& gradP)
+{
+    const fvMesh& mesh = p.mesh();
+    const scalarField& V = mesh.V();
+    const scalarField& weights = mesh.weights();
+    const vectorField& Sf = mesh.Sf();
+    const labelUList& neighbour = mesh.neighbour();
+    const labelUList& start = mesh.lduAddr().ownerStartAddr();
+    const bitSet beside(besidePatches(mesh));
+    vectorField& sums = gradP.primitiveFieldRef();
+
+    sums = Zero;
+
+    forAll(V, celli)
+    {
+        const scalar own = p[celli];
+        vector sum(sums[celli]);
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            const scalar other = p[neighbour[facei]];
+            const vector flux(Sf[facei]*(weights[facei]*(own - other) + other));
+
+            sum += flux;
+            sums[neighbour[facei]] -= flux;
+        }
+
+        sums[celli] = beside.test(celli) ? sum : sum/V[celli];
+    }
+
+    for (const fvPatchScalarField& patch : p.boundaryField())
+    {
+        addPatch(patch, sums);
+    }
+
+    for (const label celli : beside)
+    {
+        sums[celli] /= V[celli];
+    }
+
+    correctPatches(p, gradP);
 }
 
 

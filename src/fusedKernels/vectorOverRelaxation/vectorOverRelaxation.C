@@ -36,46 +36,37 @@ Foam::vectorOverRelaxation::vectorOverRelaxation
 )
 :
     vectorSmoothSolver("overRelaxation", matrix, psi),
-    omega_(matrix.diag().size(), Zero)
-{
-    if (rDiags_.empty())
-    {
-        setFactors(rDiag_);
-    }
-    else
-    {
-        setFactors(rDiags_);
-    }
-}
+    omega_(matrix.diag().size())
+{}
 
 
 template<class Diagonal>
-void Foam::vectorOverRelaxation::setFactors(const Field<Diagonal>& rDiag)
+void Foam::vectorOverRelaxation::setRows(const Field<Diagonal>& rDiag)
 {
     const labelUList& u = matrix_.lduAddr().upperAddr();
     const labelUList& start = matrix_.lduAddr().ownerStartAddr();
     const scalarField& lower = matrix_.lower();
     const scalarField& upper = matrix_.upper();
-    scalarField root(rDiag.size());
+    const vectorField& psi = psi_;
     scalarField& mu = omega_;
-
-    forAll(root, celli)
-    {
-        root[celli] = Foam::sqrt(largest(rDiag[celli]));
-    }
 
     // By the turn of a row those of its lower neighbours have been added
     forAll(mu, celli)
     {
+        const scalar rD = largest(rDiag[celli]);
+        const vector x(psi[celli]);
         scalar sum = 0;
 
         for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
         {
-            const scalar part = root[celli]*root[u[facei]]
-               *Foam::sqrt(max(lower[facei]*upper[facei], scalar(0)));
+            const label n = u[facei];
+            const scalar squared =
+                lower[facei]*upper[facei]*(rD*largest(rDiag[n]));
+            const scalar part = Foam::sqrt(max(squared, scalar(0)));
 
             sum += part;
-            mu[u[facei]] += part;
+            mu[n] += part;
+            work_[n] -= lower[facei]*x;
         }
 
         // Above 1 without a dominant diagonal
@@ -89,22 +80,19 @@ void Foam::vectorOverRelaxation::setFactors(const Field<Diagonal>& rDiag)
 Foam::vector Foam::vectorOverRelaxation::begin()
 {
     const vector norm(vectorSmoothSolver::begin());
-    const labelUList& u = matrix_.lduAddr().upperAddr();
-    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
-    const scalarField& lower = matrix_.lower();
 
     before_ = coupledProducts();
     work_ = source_;
     addCoupled(1, before_, work_);
+    omega_ = Zero;
 
-    forAll(psi_, celli)
+    if (rDiags_.empty())
     {
-        const vector x(psi_[celli]);
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            work_[u[facei]] -= lower[facei]*x;
-        }
+        setRows(rDiag_);
+    }
+    else
+    {
+        setRows(rDiags_);
     }
 
     return norm;
