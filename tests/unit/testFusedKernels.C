@@ -250,3 +250,41 @@ TEST_CASE("Residuals of many rows are estimated", "[fusedKernels]")
         );
     }
 }
+
+
+TEST_CASE("Hardly a sweep too many without a look", "[fusedKernels]")
+{
+    const scalar nu = GENERATE(0.3, 2., 10.);
+    randomFlow flow("orthogonal");
+    const dictionary controls
+    (
+        dict
+        (
+            "solver smoothSolver; smoother symGaussSeidel; tolerance 1e-11;"
+            "relTol 0; maxIter 1000;"
+        )
+    );
+    fvVectorMatrix eqn
+    (
+        fvm::div(flow.phi, flow.U)
+      - fvm::laplacian(dimensionedScalar("nu", dimViscosity, nu), flow.U)
+    );
+    scalarField least(eqn.diag().size(), Zero);
+
+    eqn.sumMagOffDiag(least);
+    eqn.diag() = max(eqn.diag(), least) + flow.mesh->V().field();
+    eqn.source() = flow.gradP.primitiveField();
+
+    volVectorField start("start", flow.U);
+    const label some = cmptMax
+    (
+        vectorSmoothSolver(eqn, flow.U).solve(controls).nIterations()
+    );
+    const plainForms off;
+
+    flow.U = start;
+    const label all = cmptMax(eqn.solve(controls).nIterations());
+
+    CHECK(some >= all);
+    CHECK(some <= 1.1*all + 1);
+}

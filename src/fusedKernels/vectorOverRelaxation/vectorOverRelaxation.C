@@ -99,8 +99,8 @@ Foam::vector Foam::vectorOverRelaxation::begin()
 }
 
 
-template<class Diagonal>
-void Foam::vectorOverRelaxation::sweep
+template<bool measured, class Diagonal>
+void Foam::vectorOverRelaxation::sweepRows
 (
     const Field<Diagonal>& diag,
     const Field<Diagonal>& rDiag
@@ -143,14 +143,34 @@ void Foam::vectorOverRelaxation::sweep
 
         const vector change(x - before);
 
-        // What is left of it, but for later changes of b
-        r[celli] = scaled((1/w - 1)*change, D[celli]) - b[celli];
+        if (measured)
+        {
+            // What is left of it, but for later changes of b
+            r[celli] = scaled((1/w - 1)*change, D[celli]) - b[celli];
+        }
         psi[celli] = x;
 
         for (label facei = first; facei <= last; ++facei)
         {
             b[u[facei]] -= lower[facei]*change;
         }
+    }
+}
+
+
+void Foam::vectorOverRelaxation::sweep(const bool measured)
+{
+    if (rDiags_.empty())
+    {
+        measured
+      ? sweepRows<true>(diag_, rDiag_)
+      : sweepRows<false>(diag_, rDiag_);
+    }
+    else
+    {
+        measured
+      ? sweepRows<true>(diags_, rDiags_)
+      : sweepRows<false>(diags_, rDiags_);
     }
 
     updateCoupled();
@@ -160,23 +180,15 @@ void Foam::vectorOverRelaxation::sweep
     addCoupled(1, now, work_);
     before_.transfer(now);
 
+    if (!measured)
+    {
+        return;
+    }
+
     sumMag_ = Zero;
 
     forAll(residual_, celli)
     {
         sumMag_ += weight(celli)*cmptMag(residual_[celli] + work_[celli]);
-    }
-}
-
-
-void Foam::vectorOverRelaxation::sweep()
-{
-    if (rDiags_.empty())
-    {
-        sweep(diag_, rDiag_);
-    }
-    else
-    {
-        sweep(diags_, rDiags_);
     }
 }

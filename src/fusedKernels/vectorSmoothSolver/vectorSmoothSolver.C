@@ -9,6 +9,30 @@ namespace
 {
     //- Residual, one at first, of sweeps that lead away from the solution
     const Foam::scalar diverged = 1e6;
+
+    //- Sweeps, of those that the residual asks for, before the next look at it
+    const Foam::scalar blindPart = 0.5;
+    const Foam::label maxBlind = 20;
+
+    //- Sweeps to do before the next look: before and now: residual over what
+    //  it may be, with n sweeps between them
+    Foam::label nToLook
+    (
+        const Foam::scalar before,
+        const Foam::scalar now,
+        const Foam::label n
+    )
+    {
+        if (!(now > 1 && now < before))
+        {
+            return 1;
+        }
+
+        const Foam::scalar part =
+            blindPart*n*Foam::log(now)/Foam::log(before/now);
+
+        return Foam::label(Foam::max(1, Foam::min(part, maxBlind)));
+    }
 }
 
 
@@ -147,26 +171,33 @@ Foam::vector Foam::vectorSmoothSolver::scaledResidual
 }
 
 
-bool Foam::vectorSmoothSolver::converged
+Foam::scalar Foam::vectorSmoothSolver::excess
 (
     const scalar tolerance,
     const scalar relTol
 ) const
 {
-    bool all = true;
+    scalar largest = 0;
 
     for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
     {
-        const scalar residual = performance_.finalResidual()[cmpt];
+        const scalar enough = max
+        (
+            max(tolerance, relTol*performance_.initialResidual()[cmpt]),
+            ROOTVSMALL
+        );
 
-        all = all
-         && (
-                residual < tolerance
-             || residual < relTol*performance_.initialResidual()[cmpt]
-            );
+        const scalar part = performance_.finalResidual()[cmpt]/enough;
+
+        // Also if it is not a number
+        if (!(part < GREAT))
+        {
+            return GREAT;
+        }
+        largest = max(largest, part);
     }
 
-    return all;
+    return largest;
 }
 
 
@@ -236,21 +267,27 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
     updateCoupled();
 
     const vector norm(begin());
+    scalar rest = excess(tolerance, relTol);
     label n = 0;
+    label next = nSweeps;
 
     // Beyond `diverged` numbers would overflow
     while
     (
-        (n < minIter || (n < maxIter && !converged(tolerance, relTol)))
+        (n < minIter || (n < maxIter && rest >= 1))
      && cmptMax(performance_.finalResidual()) < diverged
     )
     {
-        for (label i = 0; i < nSweeps; ++i)
+        const scalar before = rest;
+
+        for (label i = 1; i <= next; ++i)
         {
-            sweep();
+            sweep(i == next);
         }
-        n += nSweeps;
+        n += next;
         performance_.finalResidual() = scaledResidual(sumMag_, norm);
+        rest = excess(tolerance, relTol);
+        next = max(nSweeps, min(nToLook(before, rest, next), maxIter - n));
     }
 
     performance_.nIterations() = Vector<label>::uniform(n);

@@ -88,7 +88,11 @@ void Foam::vectorSmoothSolver::setDiagonal()
 
 
 template<class Diagonal>
-void Foam::vectorSmoothSolver::sweep(const Field<Diagonal>& rDiag)
+void Foam::vectorSmoothSolver::sweep
+(
+    const bool measured,
+    const Field<Diagonal>& rDiag
+)
 {
     const label nCells = work_.size();
     const List<vectorField> before(coupledProducts());
@@ -137,18 +141,28 @@ void Foam::vectorSmoothSolver::sweep(const Field<Diagonal>& rDiag)
     for (label celli = nCells - 1; celli >= 0; --celli)
     {
         const vector x(solution(celli));
-        const vector change(psi[celli] - x);
 
-        r[celli] = Zero;
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        if (measured)
         {
-            r[u[facei]] += lower[facei]*change;
+            const vector change(psi[celli] - x);
+
+            r[celli] = Zero;
+
+            for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+            {
+                r[u[facei]] += lower[facei]*change;
+            }
         }
         psi[celli] = x;
     }
 
     updateCoupled();
+
+    if (!measured)
+    {
+        return;
+    }
+
     addCoupled(-1, before, residual_);
     addCoupled(1, coupledProducts(), residual_);
 
@@ -161,14 +175,14 @@ void Foam::vectorSmoothSolver::sweep(const Field<Diagonal>& rDiag)
 }
 
 
-void Foam::vectorSmoothSolver::sweep()
+void Foam::vectorSmoothSolver::sweep(const bool measured)
 {
     if (rDiags_.empty())
     {
-        sweep(rDiag_);
+        sweep(measured, rDiag_);
     }
     else
     {
-        sweep(rDiags_);
+        sweep(measured, rDiags_);
     }
 }
