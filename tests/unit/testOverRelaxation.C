@@ -35,10 +35,11 @@ label sweeps
     (
         vectorSmoothSolver::New(eqn, U, controls)
     );
+    const vectorField none(trend.size(), Zero);
 
     if (trend.size())
     {
-        solver->follow(tmp<vectorField>(new vectorField(trend)));
+        solver->follow(none, trend, 1);
     }
 
     return cmptMax(solver->solve(controls).nIterations());

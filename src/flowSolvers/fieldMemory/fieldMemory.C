@@ -9,12 +9,15 @@ namespace
 {
 
 //- Keep the memory of temporary fields. Given back to the system after each, it
-//  would be cleared again for the next: 5 % of a step of 64^3 cells.
+//  would be cleared again for the next: 5 % of a step of 64^3 cells. And merge
+//  what is freed at once: small pieces that are kept apart are all gone through
+//  for each piece of a transform's scratch, 2 % of a step of 128^3 cells.
 void keepFreedMemory()
 {
     #ifdef __GLIBC__
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
+    mallopt(M_MXFAST, 0);
     #endif
 }
 

@@ -116,24 +116,6 @@ void Foam::momentumEquation::removeBodies()
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::momentumEquation::trend() const
-{
-    const Time& time = U_.time();
-    const scalar ratio = time.deltaTValue()/time.deltaT0Value();
-    const volVectorField& U0 = U_.oldTime();
-    const volVectorField& U00 = U0.oldTime();
-    tmp<vectorField> ttrend(new vectorField(U0.size()));
-    vectorField& trend = ttrend.ref();
-
-    forAll(trend, celli)
-    {
-        trend[celli] = ratio*(U0[celli] - U00[celli]);
-    }
-
-    return ttrend;
-}
-
-
 Foam::SolverPerformance<Foam::vector> Foam::momentumEquation::callSolver
 (
     const dictionary& controls,
@@ -154,10 +136,18 @@ Foam::SolverPerformance<Foam::vector> Foam::momentumEquation::callSolver
 
     solver->weigh(bodies_.region().cells(), bands_.weights(A_()));
 
-    // The first step of a run has one previous level only
+    // On as in the last step; the first of a run has one previous level only
     if (first && U_.nOldTimes() > 1 && U_.time().timeIndex() > 1)
     {
-        solver->follow(trend());
+        const Time& time = U_.time();
+        const volVectorField& U0 = U_.oldTime();
+
+        solver->follow
+        (
+            U0.oldTime(),
+            U0,
+            time.deltaTValue()/time.deltaT0Value()
+        );
     }
 
     return solver->solve(controls);

@@ -49,6 +49,7 @@ Foam::vectorSmoothSolver::vectorSmoothSolver
     work_(matrix.diag().size()),
     residual_(matrix.diag().size()),
     sumMag_(Zero),
+    trend_{nullptr, nullptr, 0},
     performance_(name, psi.name())
 {
     forAll(psi.boundaryField(), patchi)
@@ -237,17 +238,14 @@ void Foam::vectorSmoothSolver::weigh
 }
 
 
-void Foam::vectorSmoothSolver::follow(const tmp<vectorField>& trend)
+void Foam::vectorSmoothSolver::follow
+(
+    const vectorField& from,
+    const vectorField& to,
+    const scalar part
+)
 {
-    trend_ = trend;
-
-    if (solved_ != vector::one)
-    {
-        for (vector& change : trend_.ref())
-        {
-            change = cmptMultiply(solved_, change);
-        }
-    }
+    trend_ = trend{&from, &to, part};
 }
 
 

@@ -14,7 +14,7 @@ Foam::List<Foam::vectorField> Foam::vectorSmoothSolver::productsWithTrend()
 
     for (const label celli : beside)
     {
-        psi[celli] += trend_()[celli];
+        psi[celli] += change(celli);
     }
     updateCoupled();
 
@@ -102,13 +102,12 @@ Foam::vector Foam::vectorSmoothSolver::sumStart
     const rowSample sample(psi_.size(), psi_.time().timeIndex(), weighed_);
     const vectorField ofMean(productsWithMean(sample, diag));
     const neighbourSum neighbours(matrix_);
-    const bool follows = trend_.valid();
     vector sum(Zero);
 
     sumGiven = sumMag_ = Zero;
     setCoupled(sample, coupledProducts(), residual_);
 
-    if (follows)
+    if (follows())
     {
         setCoupled(sample, productsWithTrend(), work_);
     }
@@ -128,15 +127,17 @@ Foam::vector Foam::vectorSmoothSolver::sumStart
         addMag(sum, w*(b - ofMean[celli]));
         addMag(sumGiven, w*rest);
 
-        if (follows)
+        if (follows())
         {
-            const vectorField& trend = trend_();
-            const vector change
+            const vector before(neighbours(celli, *trend_.from));
+            const vector after(neighbours(celli, *trend_.to));
+            const vector more
             (
-                neighbours(celli, trend) + scaled(trend[celli], diag[celli])
+                cmptMultiply(solved_, trend_.part*(after - before))
+              + scaled(change(celli), diag[celli])
             );
 
-            addMag(sumMag_, w*(b - others - change - work_[celli]));
+            addMag(sumMag_, w*(b - others - more - work_[celli]));
         }
     }
 
@@ -156,7 +157,7 @@ Foam::vector Foam::vectorSmoothSolver::begin()
     performance_.initialResidual() = scaledResidual(sumGiven, norm);
     performance_.finalResidual() = performance_.initialResidual();
 
-    if (!trend_.valid())
+    if (!follows())
     {
         sumMag_ = sumGiven;
         return norm;
@@ -168,7 +169,12 @@ Foam::vector Foam::vectorSmoothSolver::begin()
     if (cmptSum(followed) < cmptSum(performance_.initialResidual()))
     {
         performance_.finalResidual() = followed;
-        psi_.primitiveFieldRef() += trend_();
+        vectorField& psi = psi_.primitiveFieldRef();
+
+        forAll(psi, celli)
+        {
+            psi[celli] += change(celli);
+        }
     }
     else
     {
