@@ -149,17 +149,19 @@ void Foam::pairGradient::set
     const labelUList& start = mesh.lduAddr().ownerStartAddr();
     vectorField& sumP = gradP.primitiveFieldRef();
 
-    sumP = Zero;
     gradQ.resize(V.size());
-    gradQ = Zero;
 
     const bitSet beside(besidePatches(mesh));
     const faceLoop loop(p, q);
+    zeroedAhead<vector> zeroedP(mesh, sumP);
+    zeroedAhead<vector> zeroedQ(mesh, gradQ);
 
     // Faces are in the order of their owners: those of a cell's lower
     // neighbours are done before its own
     forAll(V, celli)
     {
+        zeroedP.reach(celli);
+        zeroedQ.reach(celli);
         loop.add(celli, start[celli], start[celli + 1], sumP, gradQ);
 
         if (!beside.test(celli))
@@ -196,11 +198,12 @@ void Foam::pairGradient::set(const volScalarField& p, volVectorField& gradP)
     const labelUList& start = mesh.lduAddr().ownerStartAddr();
     const bitSet beside(besidePatches(mesh));
     vectorField& sums = gradP.primitiveFieldRef();
-
-    sums = Zero;
+    zeroedAhead<vector> zeroed(mesh, sums);
 
     forAll(V, celli)
     {
+        zeroed.reach(celli);
+
         const scalar own = p[celli];
         vector sum(sums[celli]);
 
