@@ -209,7 +209,8 @@ TEST_CASE("Sweeps over components at once are those of each", "[fusedKernels]")
 
 TEST_CASE("Residuals of many rows are estimated", "[fusedKernels]")
 {
-    randomFlow flow("orthogonal", 0.4, Vector<label>(50, 40, 20));
+    const Vector<label> n(50, 40, 20*Pstream::nProcs());
+    randomFlow flow("orthogonal", 0.4, n);
     const dictionary controls
     (
         dict

@@ -10,8 +10,8 @@ namespace
     // From here on some rows are left out
     const Foam::label many = 32768;
 
-    // Rows from one run to the next. Rows of cells are rarely that long, so that
-    // runs do not lie side by side in the mesh.
+    // Rows from one run to the next. Rows of cells are rarely that long, so
+    // that runs do not lie side by side in the mesh.
     const Foam::label period = 16*run + 8;
 }
 
