@@ -28,12 +28,13 @@ Foam::rowSample::rowSample
     factor_(1)
 {
     const label step = nRows < many ? run : period;
+    const label first = (which % step)*run % step;
     label n = nAsked_;
 
     rows_.resize(nAsked_ + (nRows/step + 2)*run);
 
     // The first run may have begun before the first row
-    for (label from = which*run % step - step; from < nRows; from += step)
+    for (label from = first - step; from < nRows; from += step)
     {
         const label end = min(from + run, nRows);
 
