@@ -144,6 +144,19 @@ TEST_CASE("Gradients in some cells are those in all", "[pairGradient]")
         CHECK(mag(dU[celli] - factor*exactDp[celli]) < 1e-12);
     }
 
+    volVectorField alone("alone", exactP);
+    alone.primitiveFieldRef() = Zero;
+    pairGradient::set(p, alone);
+
+    CHECK(alone.primitiveField() == exactP.primitiveField());
+
+    forAll(alone.boundaryField(), patchi)
+    {
+        const vectorField& onPatch = alone.boundaryField()[patchi];
+
+        CHECK(onPatch == exactP.boundaryField()[patchi]);
+    }
+
     pairGradient::part some;
     bitSet in(dU.size());
     volVectorField partP(0*exactP);

@@ -3,7 +3,6 @@
 #include "immersedFluid.H"
 #include "adjustPhi.H"
 #include "constrainPressure.H"
-#include "faceSums.H"
 #include "findRefCell.H"
 #include "freeVelocities.H"
 #include "inletOutletFvPatchFields.H"
@@ -88,7 +87,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
             p_
         );
     }
-    solveProjection(tau, layers_.active() ? divergence(phi_) : divPhi);
+    solveProjection(tau, layers_.active() ? correction_.divergence() : divPhi);
     correction_.correctFlux(tau, mayWait());
     updatePressure(divPhi);
     correction_.find(tau.value());

@@ -5,6 +5,37 @@
 #include "projectionOvershoot.H"
 #include "residualTarget.H"
 
+namespace
+{
+
+//- Flux of an increment on an internal face, as of fvMatrix::flux()
+class faceFlux
+{
+    const Foam::labelUList& owner_;
+    const Foam::labelUList& neighbour_;
+    const Foam::scalarField& upper_;
+    const Foam::scalarField& dp_;
+
+public:
+
+    faceFlux(const Foam::lduMatrix& equation, const Foam::scalarField& dp)
+    :
+        owner_(equation.lduAddr().lowerAddr()),
+        neighbour_(equation.lduAddr().upperAddr()),
+        upper_(equation.upper()),
+        dp_(dp)
+    {}
+
+    Foam::scalar operator()(const Foam::label facei) const
+    {
+        return upper_[facei]*dp_[neighbour_[facei]]
+          - upper_[facei]*dp_[owner_[facei]];
+    }
+};
+
+} // End anonymous namespace
+
+
 Foam::wordList Foam::projection::patchTypes(const volScalarField& p)
 {
     wordList types(p.boundaryField().size(), "zeroGradient");
@@ -170,16 +201,11 @@ void Foam::projection::correctInside
     scalarField& phi
 ) const
 {
-    const labelUList& owner = dp_.mesh().owner();
-    const labelUList& neighbour = dp_.mesh().neighbour();
-    const scalarField& upper = equation_->upper();
+    const faceFlux flux(equation_(), dp);
 
-    forAll(upper, facei)
+    forAll(phi, facei)
     {
-        const scalar flux =
-            upper[facei]*dp[neighbour[facei]] - upper[facei]*dp[owner[facei]];
-
-        phi[facei] -= tau*flux;
+        phi[facei] -= tau*flux(facei);
     }
 }
 
@@ -234,16 +260,11 @@ void Foam::projection::correctFlux
     surfaceScalarField& phi
 ) const
 {
-    const labelUList& owner = dp_.mesh().owner();
-    const labelUList& neighbour = dp_.mesh().neighbour();
-    const scalarField& upper = equation_->upper();
+    const faceFlux flux(equation_(), dp_);
 
     for (const label facei : faces)
     {
-        const scalar flux = upper[facei]*dp_[neighbour[facei]]
-          - upper[facei]*dp_[owner[facei]];
-
-        phi[facei] -= tau*flux;
+        phi[facei] -= tau*flux(facei);
     }
     correctOnPatches(tau, phi);
 }

@@ -60,22 +60,25 @@ void Foam::velocityCorrection::follow
 }
 
 
-bool Foam::velocityCorrection::outdated() const
+bool Foam::velocityCorrection::waiting() const
 {
-    return pending_.valid() && pending_->active() && pending_->outdated();
+    return pending_.valid() && pending_->active();
 }
 
 
-bool Foam::velocityCorrection::fluxWaits() const
+bool Foam::velocityCorrection::outdated() const
 {
-    return pending_.valid() && pending_->active() && projection_.compact();
+    return waiting() && pending_->outdated();
 }
 
 
 Foam::scalarField Foam::velocityCorrection::divergence() const
 {
     // What waits is free of it but for the pressure of which it waits
-    return fluxWaits() ? pending_->divergence(phi_) : Foam::divergence(phi_);
+    return
+        waiting() && projection_.compact()
+      ? pending_->divergence(phi_)
+      : Foam::divergence(phi_);
 }
 
 
@@ -133,19 +136,20 @@ void Foam::velocityCorrection::apply()
 
 void Foam::velocityCorrection::complete(const scalar tau)
 {
-    if (fluxWaits())
+    if (!waiting())
+    {
+        return;
+    }
+
+    if (projection_.compact())
     {
         projection_.correctOtherFluxes
         (
             tau, pending_->sum(), pending_->faces(), phi_
         );
     }
-
-    if (pending_.valid() && pending_->active())
-    {
-        pending_->complete(p_, tau, gradP_.ref(), dU_, U_);
-        U_.correctBoundaryConditions();
-    }
+    pending_->complete(p_, tau, gradP_.ref(), dU_, U_);
+    U_.correctBoundaryConditions();
 }
 
 

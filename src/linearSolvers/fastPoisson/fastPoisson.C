@@ -101,7 +101,11 @@ Foam::solverPerformance Foam::fastPoisson::solve
         return solveOtherwise(psi, source, cmpt);
     }
 
-    solution x(psi, source, cmpt, solverPerformance(typeName, fieldName_));
+    solution x
+    (
+        psi, source, cmpt, mesh->time().timeIndex(),
+        solverPerformance(typeName, fieldName_)
+    );
 
     begin(x);
 

@@ -26,6 +26,7 @@ Foam::fastPoisson::solution::solution
     scalarField& psi,
     const scalarField& source,
     const direction cmpt,
+    const label sample,
     const solverPerformance& performance
 )
 :
@@ -35,6 +36,7 @@ Foam::fastPoisson::solution::solution
     start(anyNonZero(psi) ? new scalarField(psi) : nullptr),
     residual(psi.size()),
     norm(1),
+    sample(sample),
     performance(performance)
 {}
 
@@ -55,13 +57,9 @@ Foam::scalar Foam::fastPoisson::setResidual(solution& x) const
 }
 
 
-Foam::scalar Foam::fastPoisson::estimateResidual
-(
-    solution& x,
-    const label which
-) const
+Foam::scalar Foam::fastPoisson::estimateResidual(solution& x) const
 {
-    const rowSample sample(x.psi.size(), which);
+    const rowSample sample(x.psi.size(), x.sample);
     const neighbourSum neighbours(matrix_);
     const scalarField& diag = matrix_.diag();
     scalar sum = 0;
@@ -92,16 +90,11 @@ Foam::scalar Foam::fastPoisson::estimateResidual
 }
 
 
-bool Foam::fastPoisson::check
-(
-    const bool estimate,
-    const label which,
-    solution& x
-) const
+bool Foam::fastPoisson::check(const bool estimate, solution& x) const
 {
     if (estimate)
     {
-        x.performance.finalResidual() = estimateResidual(x, which);
+        x.performance.finalResidual() = estimateResidual(x);
 
         if (x.performance.checkConvergence(tolerance_, relTol_))
         {
@@ -182,7 +175,6 @@ bool Foam::fastPoisson::refine
 (
     const boxSolver& direct,
     const bool known,
-    const label which,
     solution& x
 ) const
 {
@@ -206,7 +198,7 @@ bool Foam::fastPoisson::refine
 
         ++x.performance.nIterations();
 
-        if (check(known, which, x))
+        if (check(known, x))
         {
             return true;
         }
@@ -224,12 +216,11 @@ bool Foam::fastPoisson::refine
 bool Foam::fastPoisson::solveDirectly(const polyMesh& mesh, solution& x) const
 {
     const boxSolverCache& cache = boxSolverCache::New(mesh);
-    const label which = mesh.time().timeIndex();
     const boxSolver* direct = cache.find(fieldName_);
 
     if (direct)
     {
-        if (refine(*direct, true, which, x))
+        if (refine(*direct, true, x))
         {
             return true;
         }
@@ -240,7 +231,7 @@ bool Foam::fastPoisson::solveDirectly(const polyMesh& mesh, solution& x) const
 
     direct = cache.make(*this);
 
-    if (!direct || refine(*direct, false, which, x))
+    if (!direct || refine(*direct, false, x))
     {
         return direct;
     }
