@@ -99,12 +99,8 @@ Foam::vector Foam::vectorOverRelaxation::begin()
 }
 
 
-template<bool measured, class Diagonal>
-void Foam::vectorOverRelaxation::sweepRows
-(
-    const Field<Diagonal>& diag,
-    const Field<Diagonal>& rDiag
-)
+template<class Diagonal>
+void Foam::vectorOverRelaxation::sweepRows(const Field<Diagonal>& rDiag)
 {
     const label* const __restrict__ u =
         matrix_.lduAddr().upperAddr().begin();
@@ -113,10 +109,8 @@ void Foam::vectorOverRelaxation::sweepRows
     const scalar* const __restrict__ lower = matrix_.lower().begin();
     const scalar* const __restrict__ upper = matrix_.upper().begin();
     const scalar* const __restrict__ omega = omega_.begin();
-    const Diagonal* const __restrict__ D = diag.begin();
     const Diagonal* const __restrict__ rD = rDiag.begin();
     vector* const __restrict__ b = work_.begin();
-    vector* const __restrict__ r = residual_.begin();
     vector* const psi = psi_.primitiveFieldRef().begin();
 
     for (label celli = work_.size() - 1; celli >= 0; --celli)
@@ -143,11 +137,6 @@ void Foam::vectorOverRelaxation::sweepRows
 
         const vector change(x - before);
 
-        if (measured)
-        {
-            // What is left of it, but for later changes of b
-            r[celli] = scaled((1/w - 1)*change, D[celli]) - b[celli];
-        }
         psi[celli] = x;
 
         for (label facei = first; facei <= last; ++facei)
@@ -158,19 +147,57 @@ void Foam::vectorOverRelaxation::sweepRows
 }
 
 
+template<class Diagonal>
+void Foam::vectorOverRelaxation::measure
+(
+    const rowSample& sample,
+    const Field<Diagonal>& diag
+)
+{
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    const labelUList& start = matrix_.lduAddr().ownerStartAddr();
+    const scalarField& upper = matrix_.upper();
+    const vectorField& psi = psi_;
+
+    sumMag_ = Zero;
+
+    forAll(sample.rows(), i)
+    {
+        const label celli = sample.rows()[i];
+        vector rest(work_[celli] - scaled(psi[celli], diag[celli]));
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            rest -= upper[facei]*psi[u[facei]];
+        }
+
+        sumMag_ += sample.standsFor(i)*weight(celli)*cmptMag(rest);
+    }
+}
+
+
+void Foam::vectorOverRelaxation::measure(const rowSample& sample)
+{
+    if (rDiags_.empty())
+    {
+        measure(sample, diag_);
+    }
+    else
+    {
+        measure(sample, diags_);
+    }
+}
+
+
 void Foam::vectorOverRelaxation::sweep(const bool measured)
 {
     if (rDiags_.empty())
     {
-        measured
-      ? sweepRows<true>(diag_, rDiag_)
-      : sweepRows<false>(diag_, rDiag_);
+        sweepRows(rDiag_);
     }
     else
     {
-        measured
-      ? sweepRows<true>(diags_, rDiags_)
-      : sweepRows<false>(diags_, rDiags_);
+        sweepRows(rDiags_);
     }
 
     updateCoupled();
@@ -180,15 +207,17 @@ void Foam::vectorOverRelaxation::sweep(const bool measured)
     addCoupled(1, now, work_);
     before_.transfer(now);
 
-    if (!measured)
+    if (measured)
     {
-        return;
+        measure(sample_());
     }
+}
 
-    sumMag_ = Zero;
 
-    forAll(residual_, celli)
+void Foam::vectorOverRelaxation::measureAll()
+{
+    if (sample_->rows().size() < psi_.size())
     {
-        sumMag_ += weight(celli)*cmptMag(residual_[celli] + work_[celli]);
+        measure(rowSample::all(psi_.size()));
     }
 }

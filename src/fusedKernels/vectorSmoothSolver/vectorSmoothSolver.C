@@ -202,6 +202,19 @@ Foam::scalar Foam::vectorSmoothSolver::excess
 }
 
 
+Foam::scalar Foam::vectorSmoothSolver::look
+(
+    const scalar tolerance,
+    const scalar relTol,
+    const vector& norm
+)
+{
+    performance_.finalResidual() = scaledResidual(sumMag_, norm);
+
+    return excess(tolerance, relTol);
+}
+
+
 void Foam::vectorSmoothSolver::report() const
 {
     const fvMesh& mesh = psi_.mesh();
@@ -283,8 +296,13 @@ Foam::SolverPerformance<Foam::vector> Foam::vectorSmoothSolver::solve
             sweep(i == next);
         }
         n += next;
-        performance_.finalResidual() = scaledResidual(sumMag_, norm);
-        rest = excess(tolerance, relTol);
+        rest = look(tolerance, relTol, norm);
+
+        if (rest < 1)
+        {
+            measureAll();
+            rest = look(tolerance, relTol, norm);
+        }
         next = max(nSweeps, min(nToLook(before, rest, next), maxIter - n));
     }
 

@@ -4,7 +4,6 @@
 #include "faceSums.H"
 #include "neighbourSum.H"
 #include "rowProducts.H"
-#include "rowSample.H"
 
 Foam::List<Foam::vectorField> Foam::vectorSmoothSolver::productsWithTrend()
 {
@@ -28,12 +27,11 @@ Foam::List<Foam::vectorField> Foam::vectorSmoothSolver::productsWithTrend()
 
 void Foam::vectorSmoothSolver::setCoupled
 (
-    const rowSample& sample,
     const List<vectorField>& products,
     vectorField& sums
 ) const
 {
-    UIndirectList<vector>(sums, sample.rows()) = Zero;
+    UIndirectList<vector>(sums, sample_->rows()) = Zero;
 
     forAll(products, patchi)
     {
@@ -51,10 +49,10 @@ void Foam::vectorSmoothSolver::setCoupled
 template<class Diagonal>
 Foam::vectorField Foam::vectorSmoothSolver::productsWithMean
 (
-    const rowSample& sample,
     const Field<Diagonal>& diag
 ) const
 {
+    const rowSample& sample = sample_();
     const neighbourSum neighbours(matrix_);
     List<vectorField> coeffs(psi_.boundaryField().size());
     vectorField products(psi_.size());
@@ -68,7 +66,7 @@ Foam::vectorField Foam::vectorSmoothSolver::productsWithMean
             coeffs[patchi] = matrix_.boundaryCoeffs()[patchi];
         }
     }
-    setCoupled(sample, coeffs, products);
+    setCoupled(coeffs, products);
 
     forAll(sample.rows(), i)
     {
@@ -99,17 +97,17 @@ Foam::vector Foam::vectorSmoothSolver::sumStart
     vector& sumGiven
 )
 {
-    const rowSample sample(psi_.size(), psi_.time().timeIndex(), weighed_);
-    const vectorField ofMean(productsWithMean(sample, diag));
+    const rowSample& sample = sample_();
+    const vectorField ofMean(productsWithMean(diag));
     const neighbourSum neighbours(matrix_);
     vector sum(Zero);
 
     sumGiven = sumMag_ = Zero;
-    setCoupled(sample, coupledProducts(), residual_);
+    setCoupled(coupledProducts(), residual_);
 
     if (follows())
     {
-        setCoupled(sample, productsWithTrend(), work_);
+        setCoupled(productsWithTrend(), work_);
     }
 
     forAll(sample.rows(), i)
@@ -148,6 +146,11 @@ Foam::vector Foam::vectorSmoothSolver::sumStart
 
 Foam::vector Foam::vectorSmoothSolver::begin()
 {
+    sample_.reset
+    (
+        new rowSample(psi_.size(), psi_.time().timeIndex(), weighed_)
+    );
+
     vector sumGiven;
     const vector norm
     (
