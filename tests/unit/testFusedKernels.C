@@ -165,6 +165,7 @@ TEST_CASE("Linear transport is that of OpenFOAM", "[fusedKernels]")
     REQUIRE(kernel.serves());
     kernel.add(&flow.phi, nu, fused);
     CHECK(difference(fused, plain) < 1e-13);
+    CHECK_THROWS(kernel.add(&flow.phi, nu, fused));
 
     const plainForms off;
     CHECK(!linearTransport(flow.U, "div(phi,U)", "laplacian(nu,U)").serves());

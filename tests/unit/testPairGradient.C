@@ -103,14 +103,13 @@ TEST_CASE("Sums over the faces of cells are those of the mesh", "[faceSums]")
     const scalarField exactMag(fvc::surfaceSum(mag(phi))().primitiveField());
 
     const scalarField div(divergence(phi));
-    const scalarField sumMag
+    scalarField sumMag(div.size(), Zero);
+
+    faceSums<scalar>
     (
-        faceSums
-        (
-            phi,
-            [](const scalar flux) { return mag(flux); },
-            [](const label, const scalar sum) { return sum; }
-        )
+        phi,
+        [](const scalar flux) { return mag(flux); },
+        [&](const label celli, const scalar sum) { sumMag[celli] += sum; }
     );
 
     forAll(div, celli)

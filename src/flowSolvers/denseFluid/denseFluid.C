@@ -126,13 +126,25 @@ void Foam::flowSolvers::denseFluid::setVoid()
 
 void Foam::flowSolvers::denseFluid::correctCoNum()
 {
-    CoNum = courantNo(phi_/fvc::interpolate(void_), "");
+    const surfaceScalarField phiU(phi_/fvc::interpolate(void_));
+
+    CoNum = fluxSums(phiU).courantNo(runTime_.deltaTValue(), "");
 }
 
 
 void Foam::flowSolvers::denseFluid::continuityErrors()
 {
-    incompressibleFluid::continuityErrors(imbalance());
+    const scalarField& V = mesh_.V();
+    const scalarField errors(imbalance());
+    vector sums(Zero);
+
+    forAll(V, celli)
+    {
+        const scalar error = V[celli]*errors[celli];
+
+        sums += vector(mag(error), error, V[celli]);
+    }
+    incompressibleFluid::continuityErrors(sums);
 }
 
 

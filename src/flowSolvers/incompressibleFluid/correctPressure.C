@@ -4,7 +4,6 @@
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
-#include "faceSums.H"
 #include "fvcDdt.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
@@ -17,27 +16,16 @@
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors()
 {
-    continuityErrors(divergence(phi_));
+    continuityErrors(fluxSums_.continuity());
 }
 
 
 void Foam::flowSolvers::incompressibleFluid::continuityErrors
 (
-    const scalarField& contErr
+    const vector& ofProcessor
 )
 {
-    const scalarField& V = mesh_.V();
-
-    // Of magnitudes, of values, and of volumes
-    vector sums(Zero);
-
-    forAll(V, celli)
-    {
-        sums[0] += V[celli]*mag(contErr[celli]);
-        sums[1] += V[celli]*contErr[celli];
-        sums[2] += V[celli];
-    }
-    reduce(sums, sumOp<vector>());
+    const vector sums(returnReduce(ofProcessor, sumOp<vector>()));
 
     const scalar sumLocal = runTime_.deltaTValue()*sums[0]/sums[2];
     const scalar global = runTime_.deltaTValue()*sums[1]/sums[2];

@@ -72,6 +72,7 @@ Foam::flowSolvers::incompressibleFluid::incompressibleFluid
     correctPhi(mesh.dynamic()),
     checkMeshCourantNo(false),
     moveMeshOuterCorrectors(false),
+    fluxSums_(phi_),
     CoNum(0),
     cumulativeContErr
     (

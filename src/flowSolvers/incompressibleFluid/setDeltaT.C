@@ -1,47 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "incompressibleFluid.H"
-#include "faceSums.H"
-
-Foam::scalar Foam::flowSolvers::incompressibleFluid::courantNo
-(
-    const surfaceScalarField& phi,
-    const char* prefix
-)
-{
-    const fvMesh& mesh = phi.mesh();
-    const scalar deltaT = mesh.time().deltaTValue();
-
-    const scalarField& V = mesh.V();
-
-    scalar largest = 0;
-    vector2D sums(Zero);
-
-    faceSums
-    (
-        phi,
-        [](const scalar flux) { return mag(flux); },
-        [&](const label celli, const scalar sumPhi)
-        {
-            largest = max(largest, sumPhi/V[celli]);
-            sums[0] += sumPhi;
-            sums[1] += V[celli];
-
-            return sumPhi;
-        }
-    );
-    reduce(sums, sumOp<vector2D>());
-
-    const scalar CoNum =
-        0.5*returnReduce(largest, maxOp<scalar>())*deltaT;
-    const scalar meanCoNum = 0.5*(sums[0]/sums[1])*deltaT;
-
-    Info<< prefix << "Courant Number mean: " << meanCoNum
-        << " max: " << CoNum << endl;
-
-    return CoNum;
-}
-
 
 void Foam::flowSolvers::incompressibleFluid::readControls()
 {
@@ -60,13 +19,13 @@ void Foam::flowSolvers::incompressibleFluid::readControls()
 
 void Foam::flowSolvers::incompressibleFluid::correctCoNum()
 {
-    CoNum = courantNo(phi_, "");
+    CoNum = fluxSums_.courantNo(runTime_.deltaTValue(), "");
 }
 
 
 void Foam::flowSolvers::incompressibleFluid::meshCourantNo() const
 {
-    courantNo(mesh_.phi(), "Mesh ");
+    fluxSums(mesh_.phi()).courantNo(runTime_.deltaTValue(), "Mesh ");
 }
 
 

@@ -115,6 +115,44 @@ void Foam::linearTransport::addPatch
 }
 
 
+template<class Coefficients>
+void Foam::linearTransport::setRows
+(
+    const Coefficients& coefficients,
+    fvVectorMatrix& eqn
+) const
+{
+    const labelUList& neighbour = eqn.lduAddr().upperAddr();
+    const labelUList& start = eqn.lduAddr().ownerStartAddr();
+    scalarField& diag = eqn.diag();
+    scalarField& upper = eqn.upper();
+
+    // Null if they are the upper ones
+    scalarField* lower = eqn.hasLower() ? &eqn.lower() : nullptr;
+
+    forAll(diag, celli)
+    {
+        scalar sum = diag[celli];
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            scalar l, u;
+
+            coefficients(facei, l, u);
+            upper[facei] = u;
+            if (lower)
+            {
+                (*lower)[facei] = l;
+            }
+            sum -= l;
+            diag[neighbour[facei]] -= u;
+        }
+
+        diag[celli] = sum;
+    }
+}
+
+
 void Foam::linearTransport::add
 (
     const surfaceScalarField* phi,
@@ -122,45 +160,49 @@ void Foam::linearTransport::add
     fvVectorMatrix& eqn
 ) const
 {
-    const fvMesh& mesh = eqn.psi().mesh();
-    const labelUList& owner = mesh.owner();
-    const labelUList& neighbour = mesh.neighbour();
-    const scalarField& weights = mesh.weights();
+    if (!eqn.diagonal())
+    {
+        FatalErrorInFunction
+            << "The equation of " << eqn.psi().name() << " has coefficients"
+            << " besides those of its diagonal" << exit(FatalError);
+    }
+
+    const scalarField& weights = eqn.psi().mesh().weights();
     const scalarField& conductance = conductance_();
 
-    scalarField& diag = eqn.diag();
-    scalarField& upper = eqn.upper();
+    // Lists of no length at first: others would be set to zero
+    eqn.upper(0).resize(conductance.size());
 
     if (phi)
     {
         const scalarField& flux = *phi;
-        scalarField& lower = eqn.lower();
 
-        forAll(owner, facei)
-        {
-            const scalar diffusion = nu*conductance[facei];
-            const scalar l = -weights[facei]*flux[facei] - diffusion;
-            const scalar u = flux[facei]*(1 - weights[facei]) - diffusion;
+        eqn.lower(0).resize(conductance.size());
+        setRows
+        (
+            [&](const label facei, scalar& l, scalar& u)
+            {
+                const scalar diffusion = nu*conductance[facei];
 
-            lower[facei] += l;
-            upper[facei] += u;
-            diag[owner[facei]] -= l;
-            diag[neighbour[facei]] -= u;
-        }
+                l = -weights[facei]*flux[facei] - diffusion;
+                u = flux[facei]*(1 - weights[facei]) - diffusion;
+            },
+            eqn
+        );
     }
     else
     {
-        forAll(owner, facei)
-        {
-            const scalar diffusion = nu*conductance[facei];
-
-            upper[facei] -= diffusion;
-            diag[owner[facei]] += diffusion;
-            diag[neighbour[facei]] += diffusion;
-        }
+        setRows
+        (
+            [&](const label facei, scalar& l, scalar& u)
+            {
+                l = u = -nu*conductance[facei];
+            },
+            eqn
+        );
     }
 
-    forAll(mesh.boundary(), patchi)
+    forAll(eqn.psi().boundaryField(), patchi)
     {
         addPatch(patchi, phi, nu, eqn);
     }
