@@ -14,6 +14,10 @@ namespace
     const Foam::scalar blindPart = 0.5;
     const Foam::label maxBlind = 20;
 
+    //- Part of the rows that is looked at in any case, as it has weights of its
+    //  own, at most: of more the sample is one as well
+    const Foam::scalar mostAsked = 0.25;
+
     //- Sweeps to do before the next look: before and now: residual over what
     //  it may be, with n sweeps between them
     Foam::label nToLook
@@ -246,8 +250,12 @@ void Foam::vectorSmoothSolver::weigh
 {
     weights_.resize(residual_.size(), 1);
     UIndirectList<scalar>(weights_, cells) = weights;
-    weighed_.resize(residual_.size());
-    weighed_.set(cells);
+
+    if (cells.size() < mostAsked*residual_.size())
+    {
+        asked_.resize(residual_.size());
+        asked_.set(cells);
+    }
 }
 
 

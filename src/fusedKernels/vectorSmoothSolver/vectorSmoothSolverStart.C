@@ -148,7 +148,7 @@ Foam::vector Foam::vectorSmoothSolver::begin()
 {
     sample_.reset
     (
-        new rowSample(psi_.size(), psi_.time().timeIndex(), weighed_)
+        new rowSample(psi_.size(), psi_.time().timeIndex(), asked_)
     );
 
     vector sumGiven;
