@@ -35,7 +35,7 @@ Foam::bodyTractions::bodyTractions
         forAll(one.cells, i)
         {
             const label celli = one.cells[i];
-            const vector r(one.x[i] - one.position());
+            const vector r(one.x(i) - one.position());
             const scalar inside = V[celli]*fractions[regioni][i];
             const tensor rate(inside*(acceleration(r)*r));
 

@@ -95,7 +95,7 @@ void Foam::phaseSources::addBodies
             const vector V
             (
                 body.state().U + one.slideVelocity()
-              + (w^(one.x[i] - one.position()))
+              + (w^(one.x(i) - one.position()))
             );
 
             to[fluid] -= chi;

@@ -129,7 +129,7 @@ void Foam::bandLoads::add
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
-        const vector r(region.x[i] - state.position);
+        const vector r(region.x(i) - state.position);
         const vector Ub(moving + (state.omega^r));
         vector q(region.share[i]*(gradP[celli] + acceleration(r)));
 

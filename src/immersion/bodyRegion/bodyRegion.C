@@ -31,7 +31,9 @@ Foam::bodyRegion::bodyRegion
     orientation_(quaternion::zero),
     followed_(0),
     same_(false),
-    slid_(false)
+    slid_(false),
+    cellCentres_(nullptr),
+    faceCentres_(nullptr)
 {}
 
 
@@ -74,6 +76,12 @@ void Foam::bodyRegion::search
 
     nearCells_ = inReach;
     nearFaces_ = search.facesOf(nearCells_);
+
+    if (search.uniform())
+    {
+        return;
+    }
+
     nearCellH_.setSize(nearCells_.size());
     nearFaceH_.setSize(nearFaces_.size());
 
@@ -158,12 +166,12 @@ bool Foam::bodyRegion::follow(const immersedBody& body)
 
     forAll(cells, i)
     {
-        distance[i] -= normal[i] & (move + (angle^(x[i] - position_)));
+        distance[i] -= normal[i] & (move + (angle^(x(i) - position_)));
     }
     forAll(faces, i)
     {
         faceDistance[i] -=
-            faceNormal[i] & (move + (angle^(faceX[i] - position_)));
+            faceNormal[i] & (move + (angle^(faceX(i) - position_)));
     }
 
     position_ = state.position;
@@ -183,13 +191,14 @@ Foam::autoPtr<Foam::bodyRegion> Foam::bodyRegion::part
     bodyRegion& one = some();
 
     one.same_ = true;
+    one.cellCentres_ = cellCentres_;
+    one.faceCentres_ = faceCentres_;
 
     forAll(cells, i)
     {
         if (inCells.test(cells[i]))
         {
             one.cells.append(cells[i]);
-            one.x.append(x[i]);
             one.resistance.append(resistance[i]);
             one.shield.append(shield[i]);
             one.share.append(share[i]);
@@ -200,7 +209,6 @@ Foam::autoPtr<Foam::bodyRegion> Foam::bodyRegion::part
         if (onFaces.test(faces[i]))
         {
             one.faces.append(faces[i]);
-            one.faceX.append(faceX[i]);
             one.faceShield.append(faceShield[i]);
             one.faceShare.append(faceShare[i]);
         }

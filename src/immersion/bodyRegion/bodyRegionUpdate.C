@@ -28,16 +28,20 @@ void Foam::bodyRegion::select
     const labelUList& labels,
     const UList<point>& centres,
     const scalarField& sizes,
+    const scalar sizeOfAll,
     const SizeAlong& sizeAlong,
     const scalar bandWidth,
     DynamicList<label>& inBand,
-    DynamicList<point>& x,
     DynamicList<scalar>& d,
     DynamicList<vector>& n,
     DynamicList<scalar>& h
 ) const
 {
     const scalar hCap = hMax(body);
+    const auto size = [&](const label i)
+    {
+        return sizes.empty() ? sizeOfAll : sizes[i];
+    };
     const pointField allX(relative(centres, labels));
     scalarField allD(labels.size());
     body.posed().distance(allX, allD);
@@ -46,10 +50,10 @@ void Foam::bodyRegion::select
 
     forAll(labels, i)
     {
-        nMost += allD[i] < bandWidth*sizes[i];
+        nMost += allD[i] < bandWidth*size(i);
     }
+    pointField x(nMost);
     setSizeOf(inBand, nMost);
-    setSizeOf(x, nMost);
     setSizeOf(d, nMost);
     setSizeOf(n, nMost);
     setSizeOf(h, nMost);
@@ -58,17 +62,22 @@ void Foam::bodyRegion::select
 
     forAll(labels, i)
     {
-        if (allD[i] < bandWidth*sizes[i])
+        if (allD[i] < bandWidth*size(i))
         {
             inBand[last] = labels[i];
             x[last] = allX[i];
             d[last] = allD[i];
-            h[last] = sizes[i];
+            h[last] = size(i);
             ++last;
         }
     }
 
     body.posed().normal(x, n);
+
+    if (sizes.empty())
+    {
+        return;
+    }
 
     // Where the cells are thin along the normal the band is narrower
     label nKept = 0;
@@ -83,7 +92,6 @@ void Foam::bodyRegion::select
         if (d[i] < bandWidth*hi)
         {
             inBand[nKept] = inBand[i];
-            x[nKept] = x[i];
             d[nKept] = d[i];
             n[nKept] = n[i];
             h[nKept] = hi;
@@ -92,7 +100,6 @@ void Foam::bodyRegion::select
     }
 
     inBand.setSize(nKept);
-    x.setSize(nKept);
     d.setSize(nKept);
     n.setSize(nKept);
     h.setSize(nKept);
@@ -149,20 +156,25 @@ Foam::bodyRegion::change Foam::bodyRegion::update
     }
     slid_ = false;
 
+    cellCentres_ = &search.mesh().cellCentres();
+    faceCentres_ = &search.mesh().faceCentres();
+
+    const scalar hOfAll = min(hMax(body), search.hMax());
+
     select
     (
-        body, nearCells_, search.mesh().cellCentres(), nearCellH_,
+        body, nearCells_, *cellCentres_, nearCellH_, hOfAll,
         [&](const label celli, const vector& n) { return search.h(celli, n); },
-        bandWidth, cells, x, distance, normal, h
+        bandWidth, cells, distance, normal, h
     );
     select
     (
-        body, nearFaces_, search.mesh().faceCentres(), nearFaceH_,
+        body, nearFaces_, *faceCentres_, nearFaceH_, hOfAll,
         [&](const label facei, const vector& n)
         {
             return search.faceH(facei, n);
         },
-        bandWidth, faces, faceX, faceDistance, faceNormal, faceH
+        bandWidth, faces, faceDistance, faceNormal, faceH
     );
 
     setSizeOf(c4, cells.size());

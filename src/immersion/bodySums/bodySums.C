@@ -193,7 +193,7 @@ void Foam::bodySums::updateVelocity
         forAll(region.cells, i)
         {
             const label celli = region.cells[i];
-            const vector r(region.x[i] - state.position);
+            const vector r(region.x(i) - state.position);
 
             if (region.resistance[i] > 0)
             {
@@ -208,7 +208,7 @@ void Foam::bodySums::updateVelocity
         forAll(region.faces, i)
         {
             const label facei = region.faces[i];
-            const vector r(region.faceX[i] - state.position);
+            const vector r(region.faceX(i) - state.position);
 
             bodyFlux_[facei] +=
                 region.faceShare[i]*((U + (state.omega^r)) & Sf[facei]);

@@ -14,6 +14,7 @@ namespace
 }
 
 
+template<class Centre, class Size>
 void Foam::comovingDerivative::add
 (
     const immersedBody& body,
@@ -22,9 +23,9 @@ void Foam::comovingDerivative::add
     const scalar end,
     const bool known,
     const UList<label>& faces,
-    const UList<point>& x,
+    const Centre& centre,
     const UList<scalar>& distance,
-    const std::function<scalar(label)>& h
+    const Size& h
 )
 {
     const scalar fadeStart = fadeFrom*end;
@@ -61,7 +62,8 @@ void Foam::comovingDerivative::add
         // Like the resistance; the one of the nearer body counts
         const scalar fade = min((end - d)/(end - fadeStart), 1);
         const scalar weight = fade*Foam::exp(-2*max(d, scalar(-20)));
-        const vector move(s0(x[i]) + slide0);
+        const point x(centre(i));
+        const vector move(s0(x) + slide0);
 
         // No farther than a cell
         const scalar part =
@@ -69,7 +71,7 @@ void Foam::comovingDerivative::add
         const label at = faceAt_[facei];
 
         s0_[at] += part*move;
-        s00_[at] += part*(s00(x[i]) + slide00);
+        s00_[at] += part*(s00(x) + slide00);
         weight_[at] += weight;
     }
 }
@@ -88,7 +90,8 @@ void Foam::comovingDerivative::addBand
     (
         body, region.slideVelocity(), parts_[regioni],
         min(bandWidth, maxBand), known,
-        region.faces, region.faceX, region.faceDistance,
+        region.faces, [&](const label i) { return region.faceX(i); },
+        region.faceDistance,
         [&](const label i) { return region.faceH[i]; }
     );
 }
@@ -116,7 +119,7 @@ void Foam::comovingDerivative::addFarther
     add
     (
         body, region.slideVelocity(), parts_[regioni], end, false,
-        near.faces, near.x, near.distance,
+        near.faces, [&](const label i) { return near.x[i]; }, near.distance,
         [&](label) { return h; }
     );
 }

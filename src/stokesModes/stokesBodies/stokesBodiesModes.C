@@ -52,14 +52,14 @@ void Foam::stokesBodies::addSources
         forAll(region.cells, i)
         {
             momentum[region.cells[i]] +=
-                region.resistance[i]*moving(region.x[i] - centre);
+                region.resistance[i]*moving(region.x(i) - centre);
         }
         forAll(region.faces, i)
         {
             const label facei = region.faces[i];
 
             flux[facei] += region.faceShare[i]
-               *(moving(region.faceX[i] - centre) & Sf[facei]);
+               *(moving(region.faceX(i) - centre) & Sf[facei]);
         }
     }
 }
@@ -93,7 +93,7 @@ Foam::scalarField Foam::stokesBodies::loads
         forAll(region.cells, i)
         {
             const label celli = region.cells[i];
-            const vector r(region.x[i] - centre);
+            const vector r(region.x(i) - centre);
             const vector Ub(bodyi == mover ? motion(moving)(r) : Zero);
             const vector drive(flow.gradP[celli] - f);
             const scalar A0 = A0_[celli], K = K_[celli];

@@ -89,7 +89,7 @@ Foam::scalar Foam::stokesModes::inLayers
         forAll(region.cells, j)
         {
             const label celli = region.cells[j];
-            const vector r(region.x[j] - centre);
+            const vector r(region.x(j) - centre);
             vector u(bodyi == one.body ? -one(r) : Zero);
 
             forAll(equations_.components(), k)
