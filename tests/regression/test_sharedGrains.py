@@ -70,7 +70,9 @@ def test_same_on_several_ranks(coupling, tmp_path):
         )
 
 
-@pytest.mark.parametrize("ranks, coupling", [(2, "dense"), (4, "loads")])
+@pytest.mark.parametrize("ranks, coupling", [
+    (2, "dense"), pytest.param(4, "loads", marks=pytest.mark.nightly),
+])
 def test_restart_is_exact(ranks, coupling, tmp_path):
     at_once = falling_bed(tmp_path, coupling=coupling)
     at_once.controls(writeInterval=6)

@@ -157,7 +157,9 @@ def state_of(case, part):
     return (folder/"uniform/immersedBodies").read_text()
 
 
-@pytest.mark.parametrize("shares", [(12, 0, 1), (1, 1), (1, 1, 0, 1)])
+@pytest.mark.parametrize("shares", [
+    (12, 0, 1), pytest.param((1, 1), marks=pytest.mark.nightly), (1, 1, 0, 1),
+])
 def test_same_on_several_ranks(shares, tmp_path):
     """With some that are towed, and without: then later iterations are those of
     few. With some on springs: the master, which writes their anchors, has got

@@ -160,6 +160,7 @@ def test_same_on_several_ranks(tmp_path):
     assert count(happened, "enters", "grain") >= 30
 
 
+@pytest.mark.nightly
 def test_held(tmp_path):
     happened = run_on_ranks(rows(tmp_path, "type hold;"), tmp_path)
     assert count(happened, "held", "outlet") == 2
