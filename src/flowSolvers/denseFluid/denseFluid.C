@@ -134,17 +134,10 @@ void Foam::flowSolvers::denseFluid::correctCoNum()
 
 void Foam::flowSolvers::denseFluid::continuityErrors()
 {
-    const scalarField& V = mesh_.V();
-    const scalarField errors(imbalance());
-    vector sums(Zero);
-
-    forAll(V, celli)
-    {
-        const scalar error = V[celli]*errors[celli];
-
-        sums += vector(mag(error), error, V[celli]);
-    }
-    incompressibleFluid::continuityErrors(sums);
+    incompressibleFluid::continuityErrors
+    (
+        fluxSums::ofErrors(mesh_.V(), imbalance())
+    );
 }
 
 

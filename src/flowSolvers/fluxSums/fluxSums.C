@@ -4,6 +4,24 @@
 #include "faceSums.H"
 #include "vector2D.H"
 
+Foam::vector Foam::fluxSums::ofErrors
+(
+    const scalarField& V,
+    const scalarField& errors
+)
+{
+    vector sums(Zero);
+
+    // In the order of the cells, for those of pimpleFoam to the last digit
+    forAll(V, celli)
+    {
+        sums += V[celli]*vector(mag(errors[celli]), errors[celli], 1);
+    }
+
+    return sums;
+}
+
+
 Foam::fluxSums::fluxSums(const surfaceScalarField& phi)
 :
     phi_(phi),
@@ -41,13 +59,7 @@ void Foam::fluxSums::update()
 
     fastest_ = fastest;
     through_ = through;
-    continuity_ = Zero;
-
-    // In the order of the cells: to the last digit the errors of pimpleFoam
-    forAll(V, celli)
-    {
-        continuity_ += V[celli]*vector(mag(div[celli]), div[celli], 1);
-    }
+    continuity_ = ofErrors(V, div);
 }
 
 
