@@ -61,6 +61,7 @@ int main(int argc, char *argv[])
     overflow::report(nullptr);
     #include "createTime.H"
     overflow::report(&runTime);
+    fieldMemory::prepare(runTime);
     #include "createDynamicFvMesh.H"
     #include "createFlowSolver.H"
 

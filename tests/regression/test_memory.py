@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Memory of a run lies in large pages, as far as that can be asked for."""
+
+import re
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from foamCase import FoamCase
+
+CASES = Path(__file__).parent / "cases"
+SYSTEM = Path("/sys/kernel/mm/transparent_hugepage/enabled")
+
+
+@pytest.fixture
+def cavity(tmp_path):
+    """A box of 128 000 cells."""
+    case = FoamCase(CASES / "cavity", tmp_path)
+    dict_ = case.path / "system/blockMeshDict"
+    text, found = re.subn(
+        r"(hex \([^)]*\)) \([^)]*\)", r"\1 (400 320 1)", dict_.read_text()
+    )
+    assert found == 1
+    dict_.write_text(text)
+    case.run("blockMesh")
+    return case
+
+
+def asked_for(pid):
+    """Part of a process's own memory that may lie in large pages."""
+    areas = re.split(
+        r"^[0-9a-f]+-[0-9a-f]+ .*\n", Path(f"/proc/{pid}/smaps").read_text(),
+        flags=re.M,
+    )
+    own = large = 0
+    for area in areas[1:]:
+        size = int(re.search(r"^Anonymous: +(\d+)", area, re.M)[1])
+        flags = re.search(r"^VmFlags:(.*)", area, re.M)[1].split()
+        own += size
+        large += size if "hg" in flags else 0
+    return large/own
+
+
+@pytest.mark.skipif(not SYSTEM.exists(), reason="no such pages")
+def test_mesh_and_fields_lie_in_large_pages(cavity):
+    log = cavity.path/"log"
+    with log.open("w") as out:
+        run = subprocess.Popen(
+            ["foamRun"], cwd=cavity.path, stdout=out, stderr=out
+        )
+        try:
+            while run.poll() is None and "ExecutionTime" not in log.read_text():
+                time.sleep(0.02)
+            assert run.poll() is None, log.read_text()[-2000:]
+            part = asked_for(run.pid)
+        finally:
+            run.kill()
+            run.wait()
+    assert part > 0.8
+
+
+def test_a_mesh_whose_header_has_no_number_of_cells(cavity):
+    for entry, value in {
+        "writeControl": "timeStep", "writeInterval": 1, "stopAt": "writeNow"
+    }.items():
+        cavity.set("system/controlDict", entry, value)
+    want = cavity.copy(cavity.path.parent, "want")
+    want.run("foamRun")
+    owner = cavity.path/"constant/polyMesh/owner"
+    text, found = re.subn(
+        rb"^\s*note .*\n", b"", owner.read_bytes(), flags=re.M
+    )
+    assert found == 1
+    owner.write_bytes(text)
+    cavity.run("foamRun")
+    got, wanted = (
+        (case.path/"0.02/U").read_bytes() for case in (cavity, want)
+    )
+    assert got == wanted
