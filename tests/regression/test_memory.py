@@ -2,6 +2,7 @@
 """Memory of a run lies in large pages, as far as that can be asked for."""
 
 import re
+import resource
 import subprocess
 import time
 from pathlib import Path
@@ -12,6 +13,7 @@ from foamCase import FoamCase
 
 CASES = Path(__file__).parent / "cases"
 SYSTEM = Path("/sys/kernel/mm/transparent_hugepage/enabled")
+LITTLE = 600 << 20
 
 
 @pytest.fixture
@@ -43,22 +45,31 @@ def asked_for(pid):
     return large/own
 
 
-@pytest.mark.skipif(not SYSTEM.exists(), reason="no such pages")
-def test_mesh_and_fields_lie_in_large_pages(cavity):
-    log = cavity.path/"log"
+def part_during_run(case, limit):
+    """asked_for() after the first step; limit: of virtual memory, in bytes."""
+    log = case.path/"log"
     with log.open("w") as out:
         run = subprocess.Popen(
-            ["foamRun"], cwd=cavity.path, stdout=out, stderr=out
+            ["foamRun"], cwd=case.path, stdout=out, stderr=out,
+            preexec_fn=lambda: resource.setrlimit(
+                resource.RLIMIT_AS, (limit, limit)
+            ),
         )
         try:
             while run.poll() is None and "ExecutionTime" not in log.read_text():
                 time.sleep(0.02)
             assert run.poll() is None, log.read_text()[-2000:]
-            part = asked_for(run.pid)
+            return asked_for(run.pid)
         finally:
             run.kill()
             run.wait()
-    assert part > 0.8
+
+
+# Without a limit, and with one that 4 kB per cell are beyond
+@pytest.mark.skipif(not SYSTEM.exists(), reason="no such pages")
+@pytest.mark.parametrize("limit", [resource.RLIM_INFINITY, LITTLE])
+def test_mesh_and_fields_lie_in_large_pages(cavity, limit):
+    assert part_during_run(cavity, limit) > 0.8
 
 
 def test_a_mesh_whose_header_has_no_number_of_cells(cavity):

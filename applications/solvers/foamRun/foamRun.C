@@ -22,7 +22,7 @@ Usage
 #include "grainFoamVersion.H"
 #include "overflow.H"
 
-#define CREATE_MESH createDynamicFvMesh.H
+#define CREATE_MESH createFlowMesh.H
 #define CREATE_FIELDS createFlowSolver.H
 #define NO_CONTROL
 
@@ -61,8 +61,7 @@ int main(int argc, char *argv[])
     overflow::report(nullptr);
     #include "createTime.H"
     overflow::report(&runTime);
-    fieldMemory::prepare(runTime);
-    #include "createDynamicFvMesh.H"
+    #include "createFlowMesh.H"
     #include "createFlowSolver.H"
 
     flowSolver& solver = solverPtr();

@@ -69,10 +69,18 @@ void useLargePages(const Foam::label nCells)
     // No memory is used before something lies there.
     const size_t perCell = 4000;
     const size_t page = 1 << 21;
-    const size_t size = perCell*nCells/page*page;
+    size_t size = perCell*nCells;
+    void* some = std::malloc(size + page);
+
+    // The system may refuse more than it has
+    while (!some && size > page)
+    {
+        size /= 2;
+        some = std::malloc(size + page);
+    }
 
     // What is freed again is what fields are made of next
-    if (void* some = std::malloc(size + page))
+    if (some)
     {
         const size_t at = reinterpret_cast<size_t>(some);
         const size_t begin = (at + page - 1)/page*page;
