@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "denseTransform.H"
+#include "blasLibrary.H"
 
 extern "C"
 {
@@ -21,9 +22,6 @@ void dsyevd_
     int* iWork, const int* nIWork, int* info
 );
 
-// There in OpenBLAS only
-void openblas_set_num_threads(int) __attribute__((weak));
-
 }
 
 
@@ -37,11 +35,7 @@ Foam::denseTransform::denseTransform
     lineTransform(line.size(), inner, outer),
     vectors_(n_*n_, Zero)
 {
-    // One core per processor of OpenFOAM
-    if (openblas_set_num_threads)
-    {
-        openblas_set_num_threads(1);
-    }
+    blasLibrary::prepare();
 
     for (label i = 0; i < n_; ++i)
     {
