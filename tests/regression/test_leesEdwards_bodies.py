@@ -125,7 +125,9 @@ def pair_case(folder, move, contact):
 @pytest.mark.parametrize(
     "contact",
     [
-        "contact { type softSphere; }",
+        pytest.param(
+            "contact { type softSphere; }", marks=pytest.mark.nightly
+        ),
         "contact { type softSphere; } lubrication { type leadingOrder; }",
         "contact { type inelastic; }",
     ],

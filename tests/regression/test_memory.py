@@ -16,13 +16,12 @@ SYSTEM = Path("/sys/kernel/mm/transparent_hugepage/enabled")
 LITTLE = 600 << 20
 
 
-@pytest.fixture
-def cavity(tmp_path):
-    """A box of 128 000 cells."""
-    case = FoamCase(CASES / "cavity", tmp_path)
+def cavity(folder, cells):
+    """A box of cells (nx ny nz), meshed."""
+    case = FoamCase(CASES / "cavity", folder)
     dict_ = case.path / "system/blockMeshDict"
     text, found = re.subn(
-        r"(hex \([^)]*\)) \([^)]*\)", r"\1 (400 320 1)", dict_.read_text()
+        r"(hex \([^)]*\)) \([^)]*\)", rf"\1 ({cells})", dict_.read_text()
     )
     assert found == 1
     dict_.write_text(text)
@@ -68,25 +67,26 @@ def part_during_run(case, limit):
 # Without a limit, and with one that 4 kB per cell are beyond
 @pytest.mark.skipif(not SYSTEM.exists(), reason="no such pages")
 @pytest.mark.parametrize("limit", [resource.RLIM_INFINITY, LITTLE])
-def test_mesh_and_fields_lie_in_large_pages(cavity, limit):
-    assert part_during_run(cavity, limit) > 0.8
+def test_mesh_and_fields_lie_in_large_pages(limit, tmp_path):
+    assert part_during_run(cavity(tmp_path, "400 320 1"), limit) > 0.8
 
 
-def test_a_mesh_whose_header_has_no_number_of_cells(cavity):
+def test_a_mesh_whose_header_has_no_number_of_cells(tmp_path):
+    case = cavity(tmp_path, "40 32 1")
     for entry, value in {
         "writeControl": "timeStep", "writeInterval": 1, "stopAt": "writeNow"
     }.items():
-        cavity.set("system/controlDict", entry, value)
-    want = cavity.copy(cavity.path.parent, "want")
+        case.set("system/controlDict", entry, value)
+    want = case.copy(tmp_path, "want")
     want.run("foamRun")
-    owner = cavity.path/"constant/polyMesh/owner"
+    owner = case.path/"constant/polyMesh/owner"
     text, found = re.subn(
         rb"^\s*note .*\n", b"", owner.read_bytes(), flags=re.M
     )
     assert found == 1
     owner.write_bytes(text)
-    cavity.run("foamRun")
+    case.run("foamRun")
     got, wanted = (
-        (case.path/"0.02/U").read_bytes() for case in (cavity, want)
+        (run.path/"0.02/U").read_bytes() for run in (case, want)
     )
     assert got == wanted

@@ -166,7 +166,10 @@ def test_held(tmp_path):
     assert count(happened, "held", "outlet") == 2
 
 
-@pytest.mark.parametrize("coupling", ["unresolved", "auto"])
+@pytest.mark.parametrize(
+    "coupling",
+    [pytest.param("unresolved", marks=pytest.mark.nightly), "auto"],
+)
 def test_others_enter(coupling, tmp_path):
     """Such that the mesh does not resolve; or it decides on that anew: as soon
     as it resolves one, all ranks hold all."""
