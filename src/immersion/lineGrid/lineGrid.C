@@ -167,6 +167,7 @@ void Foam::lineGrid::findPlaces(const tensorGrid& grid)
 Foam::lineGrid::lineGrid(const fvMesh& mesh)
 :
     mesh_(mesh),
+    coupled_(mesh),
     valid_(false)
 {
     const tensorGrid grid(mesh);

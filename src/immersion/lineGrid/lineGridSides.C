@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "lineGrid.H"
-#include "cellSearch.H"
 #include "coupledPolyPatch.H"
-#include "syncTools.H"
 
 bool Foam::lineGrid::findSides(const direction k)
 {
@@ -12,10 +10,11 @@ bool Foam::lineGrid::findSides(const direction k)
     FixedList<label, 2> nJoined(label(0)), n(label(0));
 
     along.sides = labelList(nFaces, -1);
+    along.coupled = labelList(nFaces, -1);
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        const bool joined = cellSearch::matched(patch);
+        const bool joined = coupled_.joined(patch.index());
         const vectorField& areas = mesh_.faceAreas();
 
         if (joined && !refCast<const coupledPolyPatch>(patch).parallel())
@@ -38,6 +37,8 @@ bool Foam::lineGrid::findSides(const direction k)
               + celli/along.next % along.nLines;
 
             along.sides[side][p] = facei - mesh_.nInternalFaces();
+            along.coupled[side][p] =
+                joined ? coupled_.index(patch.index(), i) : -1;
             ++n[side];
             nJoined[side] += joined;
         }
@@ -73,7 +74,7 @@ void Foam::lineGrid::exchange
     const lines& along = lines_[k];
 
     // Three values of a scalar; no patch is turned
-    syncTools::swapBoundaryFaceList(mesh_, atEnds);
+    coupled_.swap(atEnds);
 
     for (label side = 0; side < 2; ++side)
     {
@@ -81,11 +82,9 @@ void Foam::lineGrid::exchange
 
         forAll(beyond[side], p)
         {
-            const label face = along.sides[side][p];
-
             beyond[side][p] = along.joined[side]
-              ? atEnds[face]
-              : vector(onPatch(face), 0, 0);
+              ? atEnds[along.coupled[side][p]]
+              : vector(onPatch(along.sides[side][p]), 0, 0);
         }
     }
 }

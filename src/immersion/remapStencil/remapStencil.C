@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "remapStencil.H"
-#include "cellSearch.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -28,24 +27,18 @@ Foam::remapStencil::remapStencil
 :
     mesh_(mesh),
     neighbours_(neighbours),
-    coupled_(false),
-    coupledPatch_(mesh.boundary().size()),
+    joined_(mesh),
     delta_(mesh.boundary().size()),
     nCells_(0),
     nWide_(0)
 {
     forAll(delta_, patchi)
     {
-        coupledPatch_[patchi] =
-            cellSearch::matched(mesh.boundaryMesh()[patchi]);
-
-        if (coupledPatch_[patchi])
+        if (joined_.joined(patchi))
         {
             delta_[patchi] = mesh.boundary()[patchi].delta();
-            coupled_ = true;
         }
     }
-    reduce(coupled_, orOp<bool>());
 }
 
 
@@ -96,21 +89,30 @@ void Foam::remapStencil::widen()
 {
     const label n = cells_.size();
 
-    if (coupled_)
+    // Of a cell on the other side one needs to know only whether it is in
+    List<label> in(joined_.size(), 0);
+
+    for (const fvPatch& patch : mesh_.boundary())
     {
-        List<label> places;
-        syncTools::swapBoundaryCellList(mesh_, placeOf_, places);
+        const label patchi = patch.index();
 
-        for (const fvPatch& patch : mesh_.boundary())
+        for (label i = 0; joined_.joined(patchi) && i < patch.size(); ++i)
         {
-            const label first = patch.start() - mesh_.nInternalFaces();
+            in[joined_.index(patchi, i)] =
+                placeOf_[patch.faceCells()[i]] >= 0;
+        }
+    }
+    joined_.swap(in);
 
-            for (label i = 0; isCoupled(patch) && i < patch.size(); ++i)
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        const label patchi = patch.index();
+
+        for (label i = 0; joined_.joined(patchi) && i < patch.size(); ++i)
+        {
+            if (in[joined_.index(patchi, i)])
             {
-                if (places[first + i] >= 0)
-                {
-                    append(patch.faceCells()[i]);
-                }
+                append(patch.faceCells()[i]);
             }
         }
     }
@@ -170,7 +172,7 @@ void Foam::remapStencil::addPatchLinks(const label place)
         const fvPatch& patch = mesh_.boundary()[at.patch];
         const label facei = patch.start() + at.face;
         const vector area(mesh_.faceAreas()[facei]/mesh_.V()[celli]);
-        const bool coupled = isCoupled(patch);
+        const bool coupled = joined_.joined(at.patch);
 
         for (direction axis = 0; axis < 3; ++axis)
         {
@@ -181,8 +183,7 @@ void Foam::remapStencil::addPatchLinks(const label place)
                     patchLink
                     {
                         place, at.patch, at.face,
-                        facei - mesh_.nInternalFaces(),
-                        coupled,
+                        coupled ? joined_.index(at.patch, at.face) : -1,
                         (coupled ? 1 - patch.weights()[at.face] : 1)
                        *area[axis],
                         coupled
@@ -241,7 +242,7 @@ void Foam::remapStencil::findDisplaced()
         f.index = i;
         f.own = placeOf_[own];
         f.nei = -1;
-        f.boundaryFace = facei - mesh_.nInternalFaces();
+        f.beyond = -1;
 
         if (mesh_.isInternalFace(facei))
         {
@@ -253,10 +254,11 @@ void Foam::remapStencil::findDisplaced()
         }
         else
         {
-            const label patchi = mesh_.boundaryMesh().patchID()[f.boundaryFace];
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
             const fvPatch& patch = mesh_.boundary()[patchi];
             const label at = facei - patch.start();
 
+            f.beyond = joined_.index(patchi, at);
             f.weight = patch.weights()[at];
             f.d = delta_[patchi][at];
         }

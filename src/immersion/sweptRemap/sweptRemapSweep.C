@@ -22,8 +22,8 @@ Foam::Field<Type> Foam::sweptRemap::gradientRow
     }
     for (const remapStencil::patchLink& link : along.onPatches)
     {
-        const Type& value = link.coupled
-          ? others[link.boundaryFace]
+        const Type& value = link.beyond >= 0
+          ? others[link.beyond]
           : y.onPatches[link.patch][link.face];
 
         g[link.place] += link.first*(value - y.values[link.place]);
@@ -58,15 +58,15 @@ Foam::Field<Type> Foam::sweptRemap::secondDifferences
     }
     for (const remapStencil::patchLink& link : along.onPatches)
     {
-        if (link.coupled && link.place < b.size())
+        if (link.beyond >= 0 && link.place < b.size())
         {
             b[link.place] +=
-                link.second*(others[link.boundaryFace] - row[link.place]);
+                link.second*(others[link.beyond] - row[link.place]);
         }
     }
     for (const remapStencil::patchLink& link : along.onPatches)
     {
-        if (!link.coupled && link.place < b.size() && link.second > atEnd)
+        if (link.beyond < 0 && link.place < b.size() && link.second > atEnd)
         {
             b[link.place] = Zero;
         }
@@ -187,7 +187,7 @@ void Foam::sweptRemap::sweep
         }
 
         const bool coupled = face.nei < 0;
-        const label o = face.own, n = face.nei, at = face.boundaryFace;
+        const label o = face.own, n = face.nei, at = face.beyond;
         const scalar m = sk*face.inverse;
         const scalar w = face.weight;
         faceTerms<Type> terms
