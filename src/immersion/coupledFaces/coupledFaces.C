@@ -6,15 +6,14 @@
 Foam::coupledFaces::coupledFaces(const fvMesh& mesh)
 :
     mesh_(mesh),
-    first_(mesh.boundary().size(), -1),
-    size_(0)
+    first_(mesh.boundary().size(), -1)
 {
     forAll(first_, patchi)
     {
         if (cellSearch::matched(mesh.boundaryMesh()[patchi]))
         {
-            first_[patchi] = size_;
-            size_ += mesh.boundary()[patchi].size();
+            first_[patchi] = cells_.size();
+            cells_.append(mesh.boundary()[patchi].faceCells());
         }
     }
 }

@@ -89,31 +89,16 @@ void Foam::remapStencil::widen()
 {
     const label n = cells_.size();
 
-    // Of a cell on the other side one needs to know only whether it is in
-    List<label> in(joined_.size(), 0);
+    const labelList& atFaces = joined_.cells();
+    labelList placeBeyond(UIndirectList<label>(placeOf_, atFaces));
 
-    for (const fvPatch& patch : mesh_.boundary())
+    joined_.swap(placeBeyond);
+
+    forAll(atFaces, i)
     {
-        const label patchi = patch.index();
-
-        for (label i = 0; joined_.joined(patchi) && i < patch.size(); ++i)
+        if (placeBeyond[i] >= 0)
         {
-            in[joined_.index(patchi, i)] =
-                placeOf_[patch.faceCells()[i]] >= 0;
-        }
-    }
-    joined_.swap(in);
-
-    for (const fvPatch& patch : mesh_.boundary())
-    {
-        const label patchi = patch.index();
-
-        for (label i = 0; joined_.joined(patchi) && i < patch.size(); ++i)
-        {
-            if (in[joined_.index(patchi, i)])
-            {
-                append(patch.faceCells()[i]);
-            }
+            append(atFaces[i]);
         }
     }
 
