@@ -8,7 +8,7 @@ namespace
     const Foam::label run = 256;
 
     // From here on some rows are left out
-    const Foam::label many = 32768;
+    const Foam::label many = 8192;
 
     // Rows from one run to the next. Rows of cells are rarely that long, so
     // that runs do not lie side by side in the mesh.
