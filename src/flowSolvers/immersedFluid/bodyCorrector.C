@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
-#include "bodyContacts.H"
 
 namespace
 {
@@ -60,72 +59,6 @@ Foam::scalar Foam::flowSolvers::immersedFluid::bodySpeed() const
 }
 
 
-bool Foam::flowSolvers::immersedFluid::oneSuffices() const
-{
-    return !bodies_.moving()
-     || bodies_.list().atRest()
-     || !bodies_.list().anyResolved()
-     || bodies_.steady().active();
-}
-
-
-bool Foam::flowSolvers::immersedFluid::crowdFollows() const
-{
-    // What the first iteration leaves in the loads is smoothed by the mass of
-    // bodies that are free, and of no others
-    return
-        bodies_.crowd().active() && !bodies_.crowd().towed()
-     && layers_.active();
-}
-
-
-bool Foam::flowSolvers::immersedFluid::posed() const
-{
-    // Through the mesh the first iteration knows the pressure of the old poses
-    // only, unless that of the layers has been found
-    return
-        !iteration_.first()
-     || bodies_.window().comoving()
-     || crowdFollows();
-}
-
-
-Foam::outerIteration::rate Foam::flowSolvers::immersedFluid::rate() const
-{
-    return
-        acceleration_.active() ? outerIteration::rate::slow
-      : crowdFollows() ? outerIteration::rate::third
-      : outerIteration::rate::measured;
-}
-
-
-Foam::scalar Foam::flowSolvers::immersedFluid::addedMass() const
-{
-    // Of a disc or sphere that is alone in potential flow
-    const scalar alone = bodies_.space().twoD() ? 1 : 0.5;
-
-    if (bodies_.crowd().active())
-    {
-        return bodies_.crowd().goesOn() ? alone : 0;
-    }
-
-    // Velocities that converge in two iterations do so to a smaller error
-    // without; others do so fastest half way between alone and at a wall
-    const bool struggles = suddenStart() || iteration_.number() > nPlain;
-
-    if (!layersPay() || !(struggles || CoNum < SMALL))
-    {
-        return 0;
-    }
-
-    // A group that is swept along a channel has more: from the second iteration
-    // of a sudden start on its changes would grow
-    const scalar halfWay = 0.5*(alone + bodies_.contacts().addedMass());
-
-    return suddenStart() && iteration_.grown() ? 2*halfWay : halfWay;
-}
-
-
 Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
 (
     const scalar dt
@@ -137,7 +70,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
     {
         return bodies_.resolved().correctCrowd(p_, drive, dt);
     }
-    if (iteration_.first() || !layersPay())
+    if (iteration_.first() || !plan_.layersPay())
     {
         return 0;
     }
@@ -146,7 +79,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureChange
 
     // The second one is compared with nothing of this time step; from the third
     // one on added mass helps
-    return iteration_.number() > nPlain ? lag*change : 0;
+    return plan_.beyondPlain() ? lag*change : 0;
 }
 
 
@@ -163,7 +96,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     };
     const scalar ofBodies = bodies_.resolved().correct
     (
-        solved, free && iteration_.first(), addedMass()
+        solved, free && iteration_.first(), plan_.addedMass()
     );
     iteration_.noteVelocities(ofBodies);
 
@@ -176,11 +109,11 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
     if (iteration_.first())
     {
         iteration_.setLimit(speedLimit(change));
-        iteration_.setReach(viscousReach_);
+        iteration_.setReach(plan_.viscousReach());
     }
 
-    iteration_.note(change, bodySpeed(), free, posed(), rate());
-    if (oneSuffices())
+    iteration_.note(change, bodySpeed(), free, plan_.posed(), plan_.rate());
+    if (plan_.oneSuffices())
     {
         iteration_.end();
     }
@@ -210,7 +143,7 @@ void Foam::flowSolvers::immersedFluid::watchChanges(const bool free)
             free
          && iteration_.more()
          && CoNum < maxAccelerated
-         && !crowdFollows()
+         && !plan_.crowdFollows()
           ? iteration_.change()
           : 0,
             max(farEnough*iteration_.tolerance(), noise),

@@ -79,9 +79,12 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     (
         projection_, p_, phi_, U_, bodies_.region(), bodies_.moving()
     ),
+    plan_
+    (
+        iteration_, bodies_, momentum_, layers_, acceleration_, MRF, fvOptions
+    ),
     flowRate_(findFlowRate()),
-    bodyWalls_(nullptr),
-    viscousReach_(0)
+    bodyWalls_(nullptr)
 {
     if (!functionObject::postProcess && !bodies_.restarted())
     {

@@ -42,7 +42,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         correction_.complete(1/ddt.c);
     }
 
-    if (bandsSuffice() && solveInBands(ddt))
+    if (plan_.bandsSuffice() && solveInBands(ddt))
     {
         return;
     }
@@ -50,7 +50,7 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
     if
     (
         bodies_.region().bands().few()
-     || (bandsSuffice() && bodies_.unresolved().coupling().active())
+     || (plan_.bandsSuffice() && bodies_.unresolved().coupling().active())
     )
     {
         // The matrix and the kernels are to be those of all
@@ -120,7 +120,7 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
      && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
 
-    return can ? min(max(1 - 1/max(viscousReach_, SMALL), 0), maxTrend) : 0;
+    return can ? min(max(1 - 1/max(plan_.viscousReach(), SMALL), 0), maxTrend) : 0;
 }
 
 
@@ -187,7 +187,7 @@ void Foam::flowSolvers::immersedFluid::correctUnresolved
     addForce(moveUnresolved(ddt), ddt);
 
     // In bands the equation is to be solved from where it is solved everywhere
-    if (bodies_.list().anyResolved() && bandsCanSuffice())
+    if (bodies_.list().anyResolved() && plan_.bandsCanSuffice())
     {
         momentum_.solve(correction_.gradP(), false);
     }

@@ -57,13 +57,17 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
             bodies_.beginStep();
         }
     }
-    bodies_.predict(!iteration_.first(), enough(), bandsSuffice());
+    bodies_.predict(!iteration_.first(), plan_.enough(), plan_.bandsSuffice());
 
     if (iteration_.first())
     {
-        viscousReach_ = gMax(momentumTransport->nu()().primitiveField())
-           *runTime_.deltaTValue()/sqr(bodies_.minCellSize());
-        bodies_.findCrowd(layersServe(false));
+        plan_.begin
+        (
+            gMax(momentumTransport->nu()().primitiveField())
+           *runTime_.deltaTValue()/sqr(bodies_.minCellSize()),
+            CoNum
+        );
+        bodies_.findCrowd(plan_.crowdCanBe());
     }
 }
 

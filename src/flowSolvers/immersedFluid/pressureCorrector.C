@@ -12,15 +12,6 @@
 
 namespace
 {
-    //- Viscous reach, in cells, squared, and Courant number up to which the
-    //  response of the fluid to the pressure is that of layerProjection. In
-    //  more viscous fluid velocities converge before the pressure does, and
-    //  those iterations cost more than they help, but for bodies in contact:
-    //  the fluid that they squeeze bears part of what presses them, until it
-    //  has gone
-    const Foam::scalar maxLayerReach = 1.03;
-    const Foam::scalar maxLayerCourant = 2;
-
     //- Response of the fluid in layers, at least. That to a pressure which
     //  alternates is momentumEquation::smoothingPart, and enough in a crowd,
     //  most of whose steps have one iteration. In narrow gaps the pressure is
@@ -45,11 +36,6 @@ namespace
 }
 
 
-const Foam::label Foam::flowSolvers::immersedFluid::nPlain = 2;
-
-const Foam::scalar Foam::flowSolvers::immersedFluid::sudden = 0.3;
-
-
 void Foam::flowSolvers::immersedFluid::pressureCorrector()
 {
     addProfiling(pressure, "pressureCorrector");
@@ -67,7 +53,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
 
     const scalarField divPhi(correction_.divergence());
 
-    layers_.begin(layersLag());
+    layers_.begin(plan_.layersAhead());
     if (layers_.active())
     {
         if (iteration_.first() && projection_.isNew())
@@ -88,7 +74,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
         );
     }
     solveProjection(tau, layers_.active() ? correction_.divergence() : divPhi);
-    correction_.correctFlux(tau, mayWait());
+    correction_.correctFlux(tau, plan_.othersMayWait());
     updatePressure(divPhi);
     correction_.find(tau.value());
     if (layers_.active())
@@ -105,7 +91,7 @@ void Foam::flowSolvers::immersedFluid::pressureCorrector()
     fvOptions.correct(U_);
     accelerate(freeVelocities::get(bodies_.list()) - before);
 
-    if (!bandsFollow())
+    if (!plan_.bandsFollow())
     {
         correction_.complete(tau.value());
     }
@@ -191,43 +177,6 @@ void Foam::flowSolvers::immersedFluid::solveProjection
             pRefValue - getRefCellValue(p_, pRefCell)
         );
     }
-}
-
-
-bool Foam::flowSolvers::immersedFluid::suddenStart() const
-{
-    return !iteration_.first() && iteration_.firstChange() > sudden;
-}
-
-
-bool Foam::flowSolvers::immersedFluid::layersServe(const bool squeezed) const
-{
-    return
-        bodies_.list().anyFree()
-     && (squeezed || viscousReach_ <= maxLayerReach)
-     && CoNum <= maxLayerCourant;
-}
-
-
-bool Foam::flowSolvers::immersedFluid::layersPay() const
-{
-    if (bodies_.crowd().active())
-    {
-        return layersServe(false);
-    }
-
-    return
-        iteration_.most() > nPlain + 1
-     && layersServe(bodies_.list().anyInContact());
-}
-
-
-bool Foam::flowSolvers::immersedFluid::layersLag() const
-{
-    const label before =
-        bodies_.crowd().active() ? 0 : suddenStart() ? 1 : nPlain;
-
-    return iteration_.number() > before && layersPay();
 }
 
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedFluid.H"
+#include "iterationPlan.H"
+#include "immersedBodies.H"
+#include "layerProjection.H"
+#include "momentumEquation.H"
+#include "outerAcceleration.H"
 
 namespace
 {
@@ -19,7 +23,7 @@ namespace
 }
 
 
-bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
+bool Foam::iterationPlan::bandsCanSuffice() const
 {
     // The first time step of a run has no flux that is extrapolated, and after
     // a sudden start that of the second is far off. What is combined from
@@ -28,13 +32,13 @@ bool Foam::flowSolvers::immersedFluid::bandsCanSuffice() const
     return momentum_.uniformViscosity()
      && !acceleration_.active()
      && !bodies_.window().comoving()
-     && !MRF.MRFZoneList::size()
-     && runTime_.timeIndex() > 2
+     && !MRF_.MRFZoneList::size()
+     && MRF_.time().timeIndex() > 2
      && viscousReach_ < maxBandReach;
 }
 
 
-bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
+bool Foam::iterationPlan::bandsSuffice() const
 {
     return !iteration_.first()
      && iteration_.number() <= lastBandOuter
@@ -43,25 +47,25 @@ bool Foam::flowSolvers::immersedFluid::bandsSuffice() const
 }
 
 
-Foam::scalar Foam::flowSolvers::immersedFluid::enough() const
-{
-    return crowdFollows() && bandsSuffice() ? iteration_.enough() : 0;
-}
-
-
-bool Foam::flowSolvers::immersedFluid::mayWait() const
-{
-    // A flow rate is held everywhere, and options may be for all cells
-    return iteration_.number() < lastBandOuter
-     && !layers_.active()
-     && fvOptions.optionList::empty()
-     && bandsCanSuffice();
-}
-
-
-bool Foam::flowSolvers::immersedFluid::bandsFollow() const
+bool Foam::iterationPlan::bandsFollow() const
 {
     return iteration_.more()
      && iteration_.number() < lastBandOuter
      && iteration_.change() < maxBandChange;
+}
+
+
+bool Foam::iterationPlan::othersMayWait() const
+{
+    // A flow rate is held everywhere, and options may be for all cells
+    return iteration_.number() < lastBandOuter
+     && !layers_.active()
+     && fvOptions_.optionList::empty()
+     && bandsCanSuffice();
+}
+
+
+Foam::scalar Foam::iterationPlan::enough() const
+{
+    return crowdFollows() && bandsSuffice() ? iteration_.enough() : 0;
 }
