@@ -33,13 +33,15 @@ Foam::velocityCorrection::velocityCorrection
 
 void Foam::velocityCorrection::updateGradP()
 {
-    if (paired_ && gradP_.valid())
-    {
-        pairGradient::set(p_, gradP_.ref());
-    }
-    else
+    if (!paired_ || !gradP_.valid())
     {
         gradP_ = fvc::grad(p_);
+    }
+
+    // To the last digit as later, which a restart has to be
+    if (paired_)
+    {
+        pairGradient::set(p_, gradP_.ref());
     }
 }
 

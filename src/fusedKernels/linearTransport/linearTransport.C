@@ -170,14 +170,19 @@ void Foam::linearTransport::add
     const scalarField& weights = eqn.psi().mesh().weights();
     const scalarField& conductance = conductance_();
 
-    // Lists of no length at first: others would be set to zero
+    // Lists of no length at first: others would be set to zero, or to each
+    // other
+    if (phi)
+    {
+        eqn.lower(0);
+    }
     eqn.upper(0).resize(conductance.size());
 
     if (phi)
     {
         const scalarField& flux = *phi;
 
-        eqn.lower(0).resize(conductance.size());
+        eqn.lower().resize(conductance.size());
         setRows
         (
             [&](const label facei, scalar& l, scalar& u)

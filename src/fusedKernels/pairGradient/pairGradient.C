@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "pairGradient.H"
+#include "boxGradient.H"
 #include "faceSums.H"
 #include "fusedKernels.H"
 #include "gaussGrad.H"
@@ -27,6 +28,35 @@ void addPatch(const fvPatchScalarField& p, vectorField& sums)
     forAll(Sf, i)
     {
         sums[faceCells[i]] += Sf[i]*tp()[i];
+    }
+}
+
+
+//- Set grad to factor times the gradient of p on a box
+void setOnBox
+(
+    const boxCells& box,
+    const volScalarField& p,
+    const scalar factor,
+    vectorField& grad
+)
+{
+    const scalarField& V = p.mesh().V();
+
+    boxGradient(box, p, factor, grad);
+
+    for (const fvPatchScalarField& patch : p.boundaryField())
+    {
+        const fvPatch& faces = patch.patch();
+        const labelUList& faceCells = faces.faceCells();
+        const tmp<scalarField> tp(pairSums::onPatch(patch, faces.weights()));
+
+        forAll(tp(), i)
+        {
+            const label celli = faceCells[i];
+
+            grad[celli] += factor/V[celli]*tp()[i]*faces.Sf()[i];
+        }
     }
 }
 
@@ -68,6 +98,16 @@ void Foam::pairGradient::set
 
     gradQ.resize(V.size());
 
+    const boxCells& box = boxCells::New(mesh);
+
+    if (box.valid())
+    {
+        setOnBox(box, p, 1, sumP);
+        setOnBox(box, q, factor, gradQ);
+        correctPatches(p, gradP);
+        return;
+    }
+
     const bitSet beside(besidePatches(mesh));
     const pairSums sums(p, q);
     zeroedAhead<vector> zeroedP(mesh, sumP);
@@ -88,7 +128,7 @@ void Foam::pairGradient::set
         }
     }
 
-    // Last, for the very sums of gaussGrad, which a restart has
+    // Last, for the very sums of gaussGrad
     forAll(p.boundaryField(), patchi)
     {
         addPatch(p.boundaryField()[patchi], sumP);
@@ -113,8 +153,17 @@ void Foam::pairGradient::set(const volScalarField& p, volVectorField& gradP)
     const vectorField& Sf = mesh.Sf();
     const labelUList& neighbour = mesh.neighbour();
     const labelUList& start = mesh.lduAddr().ownerStartAddr();
-    const bitSet beside(besidePatches(mesh));
+    const boxCells& box = boxCells::New(mesh);
     vectorField& sums = gradP.primitiveFieldRef();
+
+    if (box.valid())
+    {
+        setOnBox(box, p, 1, sums);
+        correctPatches(p, gradP);
+        return;
+    }
+
+    const bitSet beside(besidePatches(mesh));
     zeroedAhead<vector> zeroed(mesh, sums);
 
     forAll(V, celli)

@@ -159,6 +159,25 @@ Foam::tmp<Foam::surfaceScalarField> Foam::smoothedFlux::plain() const
 }
 
 
+void Foam::smoothedFlux::setInside(scalarField& phi) const
+{
+    const labelUList& start = mesh_.lduAddr().ownerStartAddr();
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        const vector own(smoothed(celli));
+
+        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
+        {
+            phi[facei] =
+                aligned_.valid()
+              ? alignedFace(facei, celli, own)
+              : internal(facei, own, smoothed(neighbour_[facei]));
+        }
+    }
+}
+
+
 void Foam::smoothedFlux::set(surfaceScalarField& phi) const
 {
     if (!fusedKernels::active)
@@ -169,20 +188,15 @@ void Foam::smoothedFlux::set(surfaceScalarField& phi) const
 
     // The reference stores the old flux
     scalarField& inside = phi.primitiveFieldRef();
+    const boxCells& box = boxCells::New(mesh_);
 
-    const labelUList& start = mesh_.lduAddr().ownerStartAddr();
-
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    if (box.valid())
     {
-        const vector own(smoothed(celli));
-
-        for (label facei = start[celli]; facei < start[celli + 1]; ++facei)
-        {
-            inside[facei] =
-                aligned_.valid()
-              ? alignedFace(facei, celli, own)
-              : internal(facei, own, smoothed(neighbour_[facei]));
-        }
+        setOnBox(box, inside);
+    }
+    else
+    {
+        setInside(inside);
     }
 
     forAll(phi.boundaryField(), patchi)
