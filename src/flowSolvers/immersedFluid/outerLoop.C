@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "oldTimes.H"
 
 namespace
 {
@@ -49,6 +50,9 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
 {
     if (iteration_.first())
     {
+        oldTimes::store(U_);
+        oldTimes::store(p_);
+        oldTimes::store(phi_);
         bodies_.beginStep();
 
         while (bodiesMoveTooFar())

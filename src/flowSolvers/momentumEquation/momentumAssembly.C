@@ -5,6 +5,15 @@
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
 
+Foam::scalar Foam::momentumEquation::uniformNu()
+{
+    const scalarField& nu = viscosity();
+
+    // That of any cell
+    return returnReduce(nu.empty() ? 0 : nu[0], maxOp<scalar>());
+}
+
+
 Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::divDevSigma()
 {
     if (!uniformViscosity_)
@@ -19,7 +28,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::divDevSigma()
     (
         "minusNu",
         nu.dimensions(),
-        -gMax(nu.primitiveField())
+        -uniformNu()
     );
 
     return fvm::laplacian
@@ -46,7 +55,8 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::ddtU
     const vectorField& U00 =
         ddt.c00 > 0 ? U_.oldTime().oldTime().primitiveField() : U0;
 
-    eqn.diag().setSize(V.size());
+    // Of no length at first: it would be set to zero
+    eqn.diag(0).setSize(V.size());
 
     forAll(V, celli)
     {
@@ -79,7 +89,7 @@ void Foam::momentumEquation::addTransport(fvVectorMatrix& eqn)
         linear_->add
         (
             stokes_ ? nullptr : &phi_,
-            gMax(viscosity().primitiveField()),
+            uniformNu(),
             eqn
         );
         return;

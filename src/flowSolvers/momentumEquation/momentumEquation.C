@@ -102,9 +102,9 @@ void Foam::momentumEquation::addBodies(const vectorField& drive)
 
     forAll(source, celli)
     {
-        source_[celli] = source[celli];
-        source[celli] -= V[celli]*drive[celli];
+        source_[celli] = source[celli] - V[celli]*drive[celli];
     }
+    source.swap(source_);
     bands_.penalise(drive, eqn_.ref());
 }
 

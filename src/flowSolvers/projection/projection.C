@@ -4,6 +4,7 @@
 #include "fvmLaplacian.H"
 #include "projectionOvershoot.H"
 #include "residualTarget.H"
+#include "sumInParts.H"
 
 namespace
 {
@@ -122,13 +123,8 @@ void Foam::projection::assemble()
 
 void Foam::projection::setControls(const dictionary& controls)
 {
-    scalar norm = 0;
-
-    for (const scalar b : equation_->source())
-    {
-        norm += mag(b);
-    }
-    reduce(norm, sumOp<scalar>());
+    const scalar norm =
+        returnReduce(magnitudeSum(equation_->source()), sumOp<scalar>());
 
     if (firstOuter_)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxSolver.H"
+#include "sumInParts.H"
 
 void Foam::boxSolver::apply
 (
@@ -69,7 +70,11 @@ void Foam::boxSolver::solve
     }
 
     // The sum of the equations: without the reference 0, else its equation
-    const scalar excess = gSum(b);
+    const scalar excess = returnReduce
+    (
+        sumInParts(b.size(), [&](const label i) { return b[i]; }),
+        sumOp<scalar>()
+    );
 
     if (floating())
     {

@@ -5,6 +5,7 @@
 #include "neighbourSum.H"
 #include "PstreamReduceOps.H"
 #include "rowSample.H"
+#include "sumInParts.H"
 #include <algorithm>
 
 namespace
@@ -125,14 +126,10 @@ void Foam::fastPoisson::begin(solution& x) const
     else
     {
         // The same without the products with zero
-        scalar sum = 0;
+        x.residual = x.source;
 
-        forAll(x.residual, celli)
-        {
-            x.residual[celli] = x.source[celli];
-            sum += mag(x.source[celli]);
-        }
-        reduce(sum, sumOp<scalar>());
+        const scalar sum =
+            returnReduce(magnitudeSum(x.source), sumOp<scalar>());
 
         x.norm = sum + solverPerformance::small_;
         x.performance.initialResidual() = sum/x.norm;

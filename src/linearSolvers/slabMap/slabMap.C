@@ -50,6 +50,39 @@ void Foam::slabMap::distribute
 }
 
 
+Foam::labelList Foam::slabMap::tiled(const tensorGrid& grid) const
+{
+    const label side = 8;
+    List<labelVector> tiles(grid.index());
+    labelList order;
+
+    for (labelVector& tile : tiles)
+    {
+        tile.x() /= side;
+        tile.y() /= side;
+    }
+
+    // Stable: in the order of the cells within a tile
+    sortedOrder
+    (
+        tiles,
+        order,
+        [&](const label i, const label j)
+        {
+            const labelVector& a = tiles[i];
+            const labelVector& b = tiles[j];
+
+            return
+                a.z() != b.z() ? a.z() < b.z()
+              : a.y() != b.y() ? a.y() < b.y()
+              : a.x() < b.x();
+        }
+    );
+
+    return order;
+}
+
+
 Foam::slabMap::slabMap(const tensorGrid& grid, const slabs& parts)
 {
     const label t = parts.direction();
@@ -72,6 +105,13 @@ Foam::slabMap::slabMap(const tensorGrid& grid, const slabs& parts)
 
     cells_ = identity(n);
     distribute(places, processors);
+    inOrder_ = local_ && places_ == cells_;
+
+    if (local_ && t == 0)
+    {
+        cells_ = tiled(grid);
+        places_ = labelList(IndirectList<label>(places, cells_));
+    }
     weights_ = scalarField(weights, cells_);
     sent_.setSize(local_ ? 0 : n);
     received_.setSize(local_ ? 0 : places_.size());
@@ -80,11 +120,19 @@ Foam::slabMap::slabMap(const tensorGrid& grid, const slabs& parts)
 
 void Foam::slabMap::toSlab(const scalarField& cellValues, scalar* v) const
 {
-    if (local_)
+    if (inOrder_)
     {
         forAll(cellValues, celli)
         {
-            v[places_[celli]] = weights_[celli]*cellValues[celli];
+            v[celli] = weights_[celli]*cellValues[celli];
+        }
+        return;
+    }
+    if (local_)
+    {
+        forAll(cells_, i)
+        {
+            v[places_[i]] = weights_[i]*cellValues[cells_[i]];
         }
         return;
     }
@@ -110,12 +158,20 @@ void Foam::slabMap::fromSlab
     scalarField& cellValues
 ) const
 {
-    if (local_)
+    if (inOrder_)
     {
         forAll(cellValues, celli)
         {
-            cellValues[celli] = factor*weights_[celli]*v[places_[celli]];
+            cellValues[celli] = factor*weights_[celli]*v[celli];
         }
+        return;
+    }
+    if (local_)
+    {
+        forAll(cells_, i)
+        {
+            cellValues[cells_[i]] = factor*weights_[i]*v[places_[i]];
+       }
         return;
     }
 
