@@ -47,15 +47,19 @@ void setOnBox
 
     for (const fvPatchScalarField& patch : p.boundaryField())
     {
-        const fvPatch& faces = patch.patch();
-        const labelUList& faceCells = faces.faceCells();
-        const tmp<scalarField> tp(pairSums::onPatch(patch, faces.weights()));
+        const labelUList& faceCells = patch.patch().faceCells();
+        const vectorField& Sf = patch.patch().Sf();
+        const tmp<scalarField> tp
+        (
+            pairSums::onPatch(patch, patch.patch().weights())
+        );
+        const scalarField& values = tp();
 
-        forAll(tp(), i)
+        forAll(values, i)
         {
             const label celli = faceCells[i];
 
-            grad[celli] += factor/V[celli]*tp()[i]*faces.Sf()[i];
+            grad[celli] += factor/V[celli]*values[i]*Sf[i];
         }
     }
 }
