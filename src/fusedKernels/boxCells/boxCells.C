@@ -33,15 +33,13 @@ Foam::boxCells::boxCells(const fvMesh& mesh)
 
     const alignedFaces& faces = alignedFaces::New(mesh);
 
-    if (!faces.valid() || !countCells())
-    {
-        lines_[0].n = 0;
-        return;
-    }
-
-    setLines(faces);
-
-    if (!isBox(faces))
+    if
+    (
+        !faces.valid()
+     || !countCells()
+     || !setLines(faces)
+     || !isBox(faces)
+    )
     {
         lines_[0].n = 0;
     }
@@ -73,28 +71,30 @@ bool Foam::boxCells::countCells()
     lines_[0].n = n;
     lines_[0].stride = 1;
 
-    // The first cells of rows are neighbours along the second
-    lines_[1].stride = n;
-    lines_[1].n = 1;
-
+    // The first cells of rows are neighbours along the second, by their second
+    // faces
     const label nRows = nCells/n;
+    label rows = 1;
 
-    while
-    (
-        lines_[1].n < nRows
-     && ownerStart_[lines_[1].n*n - n + 1] + 1 < neighbour.size()
-     && neighbour[ownerStart_[lines_[1].n*n - n] + 1] == lines_[1].n*n
-    )
+    while (rows < nRows)
     {
-        ++lines_[1].n;
+        const label facei = ownerStart_[(rows - 1)*n] + 1;
+
+        if (facei >= neighbour.size() || neighbour[facei] != rows*n)
+        {
+            break;
+        }
+        ++rows;
     }
 
-    if (lines_[1].n < 2 || nRows % lines_[1].n)
+    if (rows < 2 || nRows % rows)
     {
         return false;
     }
-    lines_[2].n = nRows/lines_[1].n;
-    lines_[2].stride = n*lines_[1].n;
+    lines_[1].n = rows;
+    lines_[1].stride = n;
+    lines_[2].n = nRows/rows;
+    lines_[2].stride = n*rows;
 
     return true;
 }
@@ -118,7 +118,7 @@ void Foam::boxCells::setDerivative(line& along)
 }
 
 
-void Foam::boxCells::setLines(const alignedFaces& faces)
+bool Foam::boxCells::setLines(const alignedFaces& faces)
 {
     const scalarField& V = mesh().V();
     const scalarField& magSf = mesh().magSf();
@@ -145,6 +145,12 @@ void Foam::boxCells::setLines(const alignedFaces& faces)
                 d > 0 ? i*along.stride : 0, d == 1 ? i : 0, d == 2 ? i : 0
             };
             const label facei = face(r, d > 0 ? 0 : i, d);
+
+            if (facei >= magSf.size())
+            {
+                return false;
+            }
+
             const alignedFaces::shape& shape = faces.of(facei);
 
             along.cmpt = shape.axis;
@@ -159,6 +165,10 @@ void Foam::boxCells::setLines(const alignedFaces& faces)
 
         setDerivative(along);
     }
+
+    return lines_[0].cmpt != lines_[1].cmpt
+     && lines_[0].cmpt != lines_[2].cmpt
+     && lines_[1].cmpt != lines_[2].cmpt;
 }
 
 
