@@ -11,17 +11,7 @@ using testTools::dict;
 TEST_CASE("Values are swapped as on all boundary faces", "[coupledFaces]")
 {
     const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-
-    box.x = {{
-        testTools::graded(5, 3, 1.2),
-        testTools::graded(4, 2, 0.8),
-        testTools::graded(3, 1, 1)
-    }};
-    box.sides = {{"cc", "fz", "cc"}};
-    box.processor = testTools::processors(1, box);
-
-    const auto mesh(box.make(time));
+    const auto mesh(testTools::smallBox().make(time));
     const coupledFaces faces(*mesh);
     const label nInternal = mesh->nInternalFaces();
 

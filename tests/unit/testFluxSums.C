@@ -13,17 +13,7 @@ using testTools::near;
 TEST_CASE("Sums of a flux are found again when it changes", "[fluxSums]")
 {
     const Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-
-    box.x = {{
-        testTools::graded(5, 3, 1.2),
-        testTools::graded(4, 2, 0.8),
-        testTools::graded(3, 1, 1)
-    }};
-    box.sides = {{"cc", "fz", "cc"}};
-    box.processor = testTools::processors(1, box);
-
-    const auto mesh(box.make(time));
+    const auto mesh(testTools::smallBox().make(time));
     const dimensionedVector way("way", dimLength, vector(1, -5, 2));
     surfaceScalarField phi
     (

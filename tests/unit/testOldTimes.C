@@ -104,17 +104,7 @@ namespace
 TEST_CASE("Old times are those that OpenFOAM stores", "[oldTimes]")
 {
     Time time(dict("deltaT 1; writeFrequency 1;"), "/tmp", "none");
-    testTools::boxMesh box;
-
-    box.x = {{
-        testTools::graded(5, 3, 1.2),
-        testTools::graded(4, 2, 0.8),
-        testTools::graded(3, 1, 1)
-    }};
-    box.sides = {{"cc", "fz", "cc"}};
-    box.processor = testTools::processors(1, box);
-
-    const auto mesh(box.make(time));
+    const auto mesh(testTools::smallBox().make(time));
 
     for (const label levels : {0, 1, 2})
     {

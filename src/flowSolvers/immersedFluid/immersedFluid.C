@@ -81,7 +81,7 @@ Foam::flowSolvers::immersedFluid::immersedFluid(dynamicFvMesh& mesh)
     ),
     plan_
     (
-        iteration_, bodies_, momentum_, layers_, acceleration_, MRF, fvOptions
+        iteration_, bodies_, momentum_, layers_, acceleration_, runTime_
     ),
     flowRate_(findFlowRate()),
     bodyWalls_(nullptr)

@@ -120,7 +120,9 @@ Foam::scalar Foam::flowSolvers::immersedFluid::pressureTrend() const
      && momentum_.uniformViscosity()
      && runTime_.timeIndex() > 1;
 
-    return can ? min(max(1 - 1/max(plan_.viscousReach(), SMALL), 0), maxTrend) : 0;
+    const scalar reach = max(plan_.viscousReach(), SMALL);
+
+    return can ? min(max(1 - 1/reach, 0), maxTrend) : 0;
 }
 
 

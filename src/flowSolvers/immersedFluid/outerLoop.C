@@ -50,6 +50,7 @@ void Foam::flowSolvers::immersedFluid::motionCorrector()
 {
     if (iteration_.first())
     {
+        // Before anything asks for old values and has them copied
         oldTimes::store(U_);
         oldTimes::store(p_);
         oldTimes::store(phi_);

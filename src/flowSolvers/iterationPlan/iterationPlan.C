@@ -11,8 +11,7 @@ Foam::iterationPlan::iterationPlan
     const momentumEquation& momentum,
     const layerProjection& layers,
     const outerAcceleration& acceleration,
-    const IOMRFZoneList& MRF,
-    const fv::options& fvOptions
+    const Time& time
 )
 :
     iteration_(iteration),
@@ -20,8 +19,7 @@ Foam::iterationPlan::iterationPlan
     momentum_(momentum),
     layers_(layers),
     acceleration_(acceleration),
-    MRF_(MRF),
-    fvOptions_(fvOptions),
+    time_(time),
     viscousReach_(0),
     CoNum_(0)
 {}

@@ -32,8 +32,8 @@ bool Foam::iterationPlan::bandsCanSuffice() const
     return momentum_.uniformViscosity()
      && !acceleration_.active()
      && !bodies_.window().comoving()
-     && !MRF_.MRFZoneList::size()
-     && MRF_.time().timeIndex() > 2
+     && !momentum_.rotating()
+     && time_.timeIndex() > 2
      && viscousReach_ < maxBandReach;
 }
 
@@ -60,7 +60,7 @@ bool Foam::iterationPlan::othersMayWait() const
     // A flow rate is held everywhere, and options may be for all cells
     return iteration_.number() < lastBandOuter
      && !layers_.active()
-     && fvOptions_.optionList::empty()
+     && !momentum_.anyOptions()
      && bandsCanSuffice();
 }
 

@@ -57,7 +57,7 @@ bool Foam::iterationPlan::layersPay() const
 {
     if (bodies_.crowd().active())
     {
-        return layersServe(false);
+        return crowdCanBe();
     }
 
     return

@@ -123,9 +123,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::make
     const ddtCoefficients& ddt
 )
 {
-    const bool rotating = MRF_.MRFZoneList::size();
-
-    if (rotating)
+    if (rotating())
     {
         MRF_.correctBoundaryVelocity(U_);
     }
@@ -140,7 +138,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::momentumEquation::make
     addTransport(eqn);
     frame.restoreFlux(phi_);
 
-    if (rotating)
+    if (rotating())
     {
         eqn += MRF_.DDt(U_);
     }
