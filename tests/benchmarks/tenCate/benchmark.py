@@ -55,7 +55,7 @@ def mesh(case, cells, whole):
     return n
 
 
-def solve(folder, name, cells, whole, courant=COURANT):
+def solve(folder, name, cells, whole, courant=COURANT, coupling=""):
     """Times, gaps over the diameter, velocities [m/s] and the run. courant: of
     the largest velocity measured."""
     rho, rho_s, mu, fastest, end = CASES[name]
@@ -77,7 +77,7 @@ def solve(folder, name, cells, whole, courant=COURANT):
             densityRatio {rho_s/rho:.12g};
             position    (0 0 {0.5*DIAMETER + GAP});
         }}
-    """)
+    """, coupling)
     dt = courant*DIAMETER/cells/fastest
     case.controls(endTime=f"{end}", deltaT=f"{dt:.6g}")
     run = Run(case, f"{name} {part}", cells, n, may_fail=True)

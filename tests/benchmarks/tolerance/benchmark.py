@@ -37,6 +37,15 @@ def ellipse(folder, tolerance):
     yield run.row("outers, mean", np.mean(run.outers))
 
 
+def falling(folder, tolerance):
+    """A run of a sphere of ten Cate in a viscous fluid, and its velocities."""
+    tenCate = Report.load(HERE.parent/"tenCate")
+    *_, speed, run = tenCate.solve(
+        folder, "E1", 8, False, coupling=coupling(tolerance)
+    )
+    return named(run, tolerance), speed
+
+
 def settled(folder, tolerance):
     """A run of the crowd, and the velocities of its spheres at the end."""
     crowd = Report.load(HERE.parent/"crowd")
@@ -52,9 +61,20 @@ def rows(folder, quick):
     if quick:
         return
     (folder/"tight").mkdir()
+    _, speeds = falling(folder/"tight", TIGHT)
     _, reference = settled(folder/"tight", TIGHT)
     for tolerance in TOLERANCES:
-        run, velocity = settled(folder/f"{tolerance or 'default'}", tolerance)
+        place = folder/f"{tolerance or 'default'}"
+        run, speed = falling(place, tolerance)
+        error = 100*abs(speed - speeds)/speeds.max()
+        yield run.row("largest error, % of the largest velocity", error.max())
+        yield run.row(
+            "error of the largest velocity, %",
+            100*(speed.max()/speeds.max() - 1),
+        )
+        yield run.row("outers, mean", np.mean(run.outers))
+
+        run, velocity = settled(place, tolerance)
         yield run.row("mean velocity", velocity.mean(), reference.mean())
         rms = np.sqrt(((velocity - reference)**2).mean())
         yield run.row(
