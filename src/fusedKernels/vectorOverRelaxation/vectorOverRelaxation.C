@@ -82,7 +82,9 @@ Foam::vector Foam::vectorOverRelaxation::begin()
     const vector norm(vectorSmoothSolver::begin());
 
     before_ = coupledProducts();
-    work_ = source_;
+
+    // Only sweeps need the source from here on
+    work_.swap(source_);
     addCoupled(1, before_, work_);
     omega_ = Zero;
 
