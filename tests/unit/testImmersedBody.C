@@ -51,21 +51,6 @@ TEST_CASE("Fixed bodies need no density", "[immersedBody]")
 }
 
 
-TEST_CASE("What velocities gain in a time step", "[immersedBody]")
-{
-    immersedBody body(makeBody("densityRatio 2;velocity (3 4 0);", space));
-
-    body.beginStep();
-    CHECK(body.gain() == 0);
-
-    bodyState state(body.state());
-    state.U = vector(3, 5, 0);
-    state.omega = vector(0, 0, 4);
-    body.setState(state);
-    CHECK(body.gain() == near(1 + 0.5*4));
-}
-
-
 TEST_CASE("Distance and normals follow the pose", "[immersedBody]")
 {
     immersedBody body(makeBody("densityRatio 2;", space, 1, {1, 2, 3}));

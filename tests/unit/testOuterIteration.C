@@ -16,8 +16,7 @@ label nIterations
     outerIteration& iteration,
     const std::vector<scalar>& changes,
     const bool free,
-    const bool posedAtOnce,
-    const scalar gain = 0
+    const bool posedAtOnce
 )
 {
     iteration.begin();
@@ -30,7 +29,7 @@ label nIterations
         }
         iteration.note
         (
-            change, {1, gain}, free, posedAtOnce || !iteration.first()
+            change, 1, free, posedAtOnce || !iteration.first()
         );
     }
 
@@ -79,14 +78,11 @@ TEST_CASE("What slow iterations would still change", "[outerIteration]")
     for (const scalar change : {1., 0.002, 0.0011})
     {
         iteration.next();
-        iteration.note
-        (
-            change, {1, 0}, true, true, outerIteration::rate::slow
-        );
+        iteration.note(change, 1, true, true, outerIteration::rate::slow);
         CHECK(!iteration.converged());
     }
     iteration.next();
-    iteration.note(0.001, {1, 0}, true, true, outerIteration::rate::slow);
+    iteration.note(0.001, 1, true, true, outerIteration::rate::slow);
     CHECK(iteration.converged());
 
     // The slowest end at 1e-4
@@ -95,56 +91,6 @@ TEST_CASE("What slow iterations would still change", "[outerIteration]")
     (
         nIterations(strict, {1, 1.3e-4, 1.15e-4, 1e-4, 1}, true, false) == 4
     );
-}
-
-
-TEST_CASE("Slow iterations of bodies that speed up", "[outerIteration]")
-{
-    std::vector<scalar> slow({0.1, 2e-3});
-    while (slow.size() < 99)
-    {
-        slow.push_back(0.95*slow.back());
-    }
-
-    const auto firstBelow = [&](const scalar limit)
-    {
-        label n = 1;
-
-        for (const scalar change : slow)
-        {
-            if (change <= limit)
-            {
-                break;
-            }
-            ++n;
-        }
-
-        return n;
-    };
-
-    outerIteration iteration(dict("nOuterCorrectors 99;"), false);
-
-    for (const scalar reach : {0., 4.})
-    {
-        iteration.setReach(reach);
-
-        CHECK(nIterations(iteration, slow, true, false) == firstBelow(1e-4));
-
-        // A hundredth of what they gain, and 1e-3 at most
-        CHECK
-        (
-            nIterations(iteration, slow, true, false, 0.04)
-         == firstBelow(4e-4)
-        );
-        CHECK
-        (
-            nIterations(iteration, slow, true, false, 1) == firstBelow(1e-3)
-        );
-    }
-
-    // Not beyond what has been asked for
-    outerIteration given(dict("nOuterCorrectors 99; tolerance 2e-4;"), false);
-    CHECK(nIterations(given, slow, true, false, 1) == firstBelow(2e-4));
 }
 
 

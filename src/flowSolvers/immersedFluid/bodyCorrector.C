@@ -112,14 +112,7 @@ void Foam::flowSolvers::immersedFluid::bodyCorrector
         iteration_.setReach(plan_.viscousReach());
     }
 
-    iteration_.note
-    (
-        change,
-        {bodySpeed(), bodies_.list().gain()},
-        free,
-        plan_.posed(),
-        plan_.rate()
-    );
+    iteration_.note(change, bodySpeed(), free, plan_.posed(), plan_.rate());
     if (plan_.oneSuffices())
     {
         iteration_.end();

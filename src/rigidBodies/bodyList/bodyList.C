@@ -131,24 +131,6 @@ Foam::scalar Foam::bodyList::maxSpeed() const
 }
 
 
-Foam::scalar Foam::bodyList::gain() const
-{
-    if (anyInContact())
-    {
-        return 0;
-    }
-
-    scalar most = 0;
-
-    for (const immersedBody& body : *this)
-    {
-        most = max(most, body.resolved() && body.isFree() ? body.gain() : 0);
-    }
-
-    return share_->largest(most);
-}
-
-
 Foam::scalar Foam::bodyList::contactSpeed() const
 {
     scalar speed = 0;

@@ -99,12 +99,3 @@ Foam::scalar Foam::immersedBody::maxSpeed(const vector& meshU) const
     return mag(state().U - meshU)
       + shape().boundingRadius()*mag(state().omega);
 }
-
-
-Foam::scalar Foam::immersedBody::gain() const
-{
-    const bodyState& old = motion_.old();
-
-    return mag(state().U - old.U)
-      + shape().boundingRadius()*mag(state().omega - old.omega);
-}

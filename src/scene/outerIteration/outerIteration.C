@@ -20,10 +20,8 @@ namespace
     //  then are the parts that fall most slowly
     const Foam::scalar slowFactor = 10;
 
-    //- Relative change at which iterations end however slowly changes fall;
-    //  part of what velocities gain in the time step that does as well
+    //- Relative change at which iterations end however slowly changes fall
     const Foam::scalar closeEnough = 1e-4;
-    const Foam::scalar partOfGain = 0.01;
 
     //- Relative change that corrects itself in the next time step
     const Foam::scalar acceptable = 0.02;
@@ -133,7 +131,7 @@ void Foam::outerIteration::setReach(const scalar reach)
 void Foam::outerIteration::note
 (
     const scalar change,
-    const scale& of,
+    const scalar speed,
     const bool free,
     const bool posed,
     const rate goesOn
@@ -145,13 +143,9 @@ void Foam::outerIteration::note
       : first() ? 1
       : max(factor/(1 - factor), goesOn == rate::slow ? slowFactor : 1);
 
-    // However slowly changes fall
-    const scalar most = (given_ ? tolerance_ : usualTolerance)*of.speed;
-    const scalar least = max(closeEnough*of.speed, partOfGain*of.gain);
-
-    enough_ = max(tolerance_*of.speed/later, min(least, most));
+    enough_ = max(tolerance_/later, min(tolerance_, closeEnough))*speed;
     speedChange_ = change;
-    change_ = change/max(of.speed, VSMALL);
+    change_ = change/max(speed, VSMALL);
 
     if (first())
     {
