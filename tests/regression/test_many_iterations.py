@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Time steps whose outer iterations would not end by themselves: bodies released
-from rest, and two with a film between them."""
+from rest, two with a film between them, one that falls on a wall."""
 
 import sys
 from pathlib import Path
@@ -9,10 +9,12 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 
+from measure import Run  # noqa: E402
 from report import Report  # noqa: E402
 
 kissing = Report.load(Path(__file__).parents[1] / "benchmarks/kissing")
 crowd = Report.load(Path(__file__).parents[1] / "benchmarks/crowd")
+wetBounce = Report.load(Path(__file__).parents[1] / "benchmarks/wetBounce")
 lightBodies = Report.load(
     Path(__file__).parents[1] / "benchmarks/lightBodies"
 )
@@ -53,6 +55,23 @@ def test_film(tmp_path):
     # From rest 20 and 21 without added mass, 3.5 in the mean
     assert max(run.outers) <= 7
     assert sum(run.outers)/run.steps < 3
+
+
+def test_impact(tmp_path):
+    """A sphere that a wall stops at once, without a film: 22 and 10 iterations where
+    they are to find a speed of zero to the tolerance of itself. From rest six."""
+    case, _ = wetBounce.make_case(tmp_path, "impact", 50, 8, 0.3, "", "none;", 2)
+    case.replace(
+        "constant/immersedBodyProperties",
+        f"type softSphere; restitution {wetBounce.DRY};", "type inelastic;",
+    )
+    run = Run(case, "impact", 8, 1)
+    all_converge(case, run)
+
+    # It has hit the wall, and stays there
+    x = case.table("motion")["position_x"]
+    assert 0.49 < x[-1] < 0.51
+    assert max(run.outers) <= 8
 
 
 def test_squeeze(tmp_path):

@@ -56,6 +56,23 @@ TEST_CASE("Iterations end when velocities do not change", "[outerIteration]")
 }
 
 
+TEST_CASE("What stops a body is known to the tolerance", "[outerIteration]")
+{
+    outerIteration iteration(dict("tolerance 0.01;"), false);
+
+    // Of the change by the first iteration, five times the speed
+    CHECK(nIterations(iteration, {5, 0.5, 0.04, 0.004, 1}, true, true) == 3);
+    CHECK(iteration.firstChange() == 1);
+    CHECK(mag(iteration.change() - 0.008) < 1e-12);
+
+    // Loads that change are those at the speed that is prescribed
+    CHECK(nIterations(iteration, {5, 0.5, 0.04, 0.004, 1}, false, true) == 4);
+
+    // The next time step has its own first change
+    CHECK(nIterations(iteration, {0.5, 0.05, 0.005, 1}, true, true) == 3);
+}
+
+
 TEST_CASE("What slow iterations would still change", "[outerIteration]")
 {
     outerIteration iteration(dict("tolerance 0.01;"), false);

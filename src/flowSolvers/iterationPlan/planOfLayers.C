@@ -10,9 +10,9 @@ namespace
     //- Viscous reach, in cells, squared, and Courant number up to which the
     //  response of the fluid to the pressure is that of layerProjection. In
     //  more viscous fluid velocities converge before the pressure does, and
-    //  those iterations cost more than they help, but for bodies in contact:
-    //  the fluid that they squeeze bears part of what presses them, until it
-    //  has gone
+    //  those iterations cost more than they help, but after a sudden start and
+    //  for bodies in contact: the fluid that these squeeze bears part of what
+    //  presses them, until it has gone
     const Foam::scalar maxLayerReach = 1.03;
     const Foam::scalar maxLayerCourant = 2;
 
@@ -42,7 +42,7 @@ bool Foam::iterationPlan::layersServe(const bool squeezed) const
 {
     return
         bodies_.list().anyFree()
-     && (squeezed || viscousReach_ <= maxLayerReach)
+     && (squeezed || suddenStart() || viscousReach_ <= maxLayerReach)
      && CoNum_ <= maxLayerCourant;
 }
 

@@ -62,6 +62,7 @@ Foam::outerIteration::outerIteration
     velocityChange_(0),
     firstChange_(0),
     change_(0),
+    firstSpeedChange_(0),
     speedChange_(0),
     enough_(0),
     limit_(0)
@@ -137,15 +138,23 @@ void Foam::outerIteration::note
     const rate goesOn
 )
 {
+    if (first())
+    {
+        firstSpeedChange_ = change;
+    }
+
+    // A body that something stops in this time step is as far off as what
+    // stops it is
+    const scalar reference = free ? max(speed, firstSpeedChange_) : speed;
     const scalar factor = min(change/max(speedChange_, VSMALL), slowest);
     const scalar later =
         goesOn == rate::third ? 0.5
       : first() ? 1
       : max(factor/(1 - factor), goesOn == rate::slow ? slowFactor : 1);
 
-    enough_ = max(tolerance_/later, min(tolerance_, closeEnough))*speed;
+    enough_ = max(tolerance_/later, min(tolerance_, closeEnough))*reference;
     speedChange_ = change;
-    change_ = change/max(speed, VSMALL);
+    change_ = change/max(reference, VSMALL);
 
     if (first())
     {
