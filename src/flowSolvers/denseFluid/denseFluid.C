@@ -103,7 +103,7 @@ void Foam::flowSolvers::denseFluid::setVoid()
 {
     const tmp<volScalarField> tsolid(bodies_.bodyFraction());
     const scalarField& solid = tsolid().primitiveField();
-    const scalar least = bodies_.unresolved().coupling().minVoid();
+    const scalar least = bodies_.unresolved().coupling().fluid().minVoid();
     label n = 0;
 
     forAll(solid, celli)

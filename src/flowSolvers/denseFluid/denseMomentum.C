@@ -73,7 +73,7 @@ void Foam::flowSolvers::denseFluid::linearise()
     bodies_.unresolved().linearise(ddt, flow, a_, drag_, part_, force_);
 
     // Pressure must drive the fluid, however much grains overlap
-    part_ = max(part_, bodies_.unresolved().coupling().minVoid());
+    part_ = max(part_, bodies_.unresolved().coupling().fluid().minVoid());
 }
 
 

@@ -5,11 +5,11 @@
 #include "bodyProperties.H"
 #include "bodyWalls.H"
 #include "denseFluid.H"
+#include "fluidChoice.H"
 #include "frozenFluid.H"
 #include "functionObject.H"
 #include "fvcFlux.H"
 #include "meshProperties.H"
-#include "unresolvedCoupling.H"
 
 namespace Foam
 {
@@ -40,10 +40,9 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
 {
     const IOdictionary dict(bodyProperties::read(mesh));
 
-    const dictionary coupling(dict.subOrEmptyDict("coupling"));
-    const word fluid(unresolvedCoupling::fluid(coupling));
+    const fluidChoice fluid(dict.subOrEmptyDict("coupling"));
 
-    if (!bodyProperties::any(dict) && fluid != "projected")
+    if (!bodyProperties::any(dict) && !fluid.projected())
     {
         Info<< "No immersed bodies: solving as incompressibleFluid" << nl
             << endl;
@@ -51,12 +50,12 @@ Foam::autoPtr<Foam::flowSolver> Foam::flowSolvers::immersedFluid::New
         return autoPtr<flowSolver>(new incompressibleFluid(mesh));
     }
 
-    if (unresolvedCoupling::voidFraction(coupling) && fluid == "solved")
+    if (fluid.dense())
     {
         return autoPtr<flowSolver>(new denseFluid(mesh));
     }
 
-    return fluid == "frozen"
+    return fluid.frozen()
       ? autoPtr<flowSolver>(new frozenFluid(mesh))
       : autoPtr<flowSolver>(new immersedFluid(mesh));
 }

@@ -2,6 +2,7 @@
 
 #include "bodyProperties.H"
 #include "checkKeywords.H"
+#include "fluidChoice.H"
 #include "outerIteration.H"
 #include "unresolvedCoupling.H"
 
@@ -51,6 +52,7 @@ const Foam::dictionary& Foam::bodyProperties::checked(const dictionary& dict)
     }
 
     wordList ofCoupling(unresolvedCoupling::keywords);
+    ofCoupling.append(fluidChoice::keywords);
     ofCoupling.append(outerIteration::keywords);
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
 

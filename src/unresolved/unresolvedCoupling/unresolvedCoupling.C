@@ -8,19 +8,7 @@ void Foam::unresolvedCoupling::check
     grain& one
 ) const
 {
-    if (frozen_ && choice_.type(body) != "unresolved")
-    {
-        FatalErrorInFunction
-            << "'fluid frozen' in 'coupling' of immersedBodyProperties"
-            << " needs bodies that are all unresolved, and "
-            << body.name() << " is of the type '" << choice_.type(body)
-            << "'" << nl << exit(FatalError);
-    }
-
-    if (dense_)
-    {
-        checkDense(body);
-    }
+    fluid_.check(body, choice_.type(body));
 
     if (body.kind().restrained() && choice_.type(body) != "resolved")
     {

@@ -107,7 +107,7 @@ void Foam::unresolvedCoupling::setForces
     densePart dense;
 
     dense.active = true;
-    dense.maxFraction = 1 - minVoid_;
+    dense.maxFraction = 1 - fluid_.minVoid();
     forces_ = List<grainForce>(bodies.size());
     torques_.resize(samples.size());
 

@@ -15,7 +15,7 @@ Foam::List<Foam::fluidSample> Foam::unresolvedCoupling::sample
         const label bodyi = kernels_.ordered()[i];
         fluidSample& sum = samples[i];
         const scalar D = grainKernels::diameter(bodies[bodyi]);
-        const scalar perD = frozen_ ? 0 : 1/D;
+        const scalar perD = fluid_.frozen() ? 0 : 1/D;
 
         kernels_[bodyi].forCells
         (
