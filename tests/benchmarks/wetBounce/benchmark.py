@@ -105,7 +105,9 @@ def bounce(folder, name, stokes, cells, courant=0.3, contact="",
     impact = -u[down][x[down] > GAP][-1]
     # With the mass of the fluid that moves along
     number = stokes*impact*(ratio + 0.5)/ratio
-    found = [run.row("St", number)]
+    found = [
+        run.row("St", number), run.row("outers, largest", max(run.outers))
+    ]
     if not len(turn) or x[turn[0]:].max() < LEAST:
         return [*found, run.row("e/e_dry: none", 0)]
 
