@@ -60,10 +60,8 @@ def test_film(tmp_path):
 def test_impact(tmp_path):
     """A sphere that a wall stops at once, without a film: 22 and 10 iterations where
     they are to find a speed of zero to the tolerance of itself."""
-    case, _ = wetBounce.make_case(tmp_path, "impact", 50, 8, 0.3, "", "none;", 2)
-    case.replace(
-        "constant/immersedBodyProperties",
-        f"type softSphere; restitution {wetBounce.DRY};", "type inelastic;",
+    case, _ = wetBounce.make_case(
+        tmp_path, "impact", 50, 8, contact="inelastic;", film="none;", ratio=2
     )
     run = Run(case, "impact", 8, 1)
     all_converge(case, run)

@@ -24,6 +24,10 @@ START, HEIGHT, WIDTH = 5, 9, 6
 # of which that of the rebound is, other gaps for the latter, the least height
 GAP, WINDOW, GAPS, LEAST = 0.25, 0.5, (0.05, 0.25), 0.01
 FILM = "leadingOrder;"
+SOFT = f"softSphere; restitution {DRY};"
+# Impacts that take most outer iterations: density ratio and St
+HARD = ((2, 50), (3, 152), (2, 11), (1.2, 11))
+EXACT = "coupling { tolerance 1e-6; nOuterCorrectors 300; }"
 SAFE = str.maketrans(" /", "__")
 
 U = """
@@ -48,7 +52,8 @@ def gravity(reynolds, ratio):
     return -0.75*drag/(ratio - 1)
 
 
-def make_case(folder, name, stokes, cells, courant, contact, film, ratio):
+def make_case(folder, name, stokes, cells, courant=0.3, contact=SOFT,
+              film=FILM, ratio=RATIO, coupling=""):
     """The case, and its number of cells."""
     h, reynolds = 1/cells, 9*stokes/ratio
     case = BodyCase("tube", folder, f"{name}_D{cells}".translate(SAFE))
@@ -72,8 +77,7 @@ def make_case(folder, name, stokes, cells, courant, contact, film, ratio):
             position    ({START} 0 0);
             velocity    (-1 0 0);
         }}
-    """, f"contact {{ type softSphere; restitution {DRY}; {contact} }}"
-        f" lubrication {{ type {film} }}")
+    """, f"contact {{ type {contact} }} lubrication {{ type {film} }} {coupling}")
     case.controls(endTime=START + 3, deltaT=f"{courant*h:.6g}")
     return case, n
 
@@ -86,7 +90,7 @@ def rebound_speed(t, x, u, turn, impact):
     return np.interp(t[free] - x[free]/u[free] + span, t, x)/span
 
 
-def bounce(folder, name, stokes, cells, courant=0.3, contact="",
+def bounce(folder, name, stokes, cells, courant=0.3, contact=SOFT,
            film=FILM, ratio=RATIO):
     """Rows of one fall."""
     case, n = make_case(
@@ -127,7 +131,34 @@ def bounce(folder, name, stokes, cells, courant=0.3, contact="",
     return found
 
 
+def impact(folder, stokes, ratio, contact, film, name):
+    """Rows of the iterations of one fall, beside one with a small tolerance."""
+    runs, tables = [], []
+    for coupling in ("", EXACT):
+        settings = f"St {stokes}, density ratio {ratio}, {name}"
+        case, n = make_case(
+            folder, settings + " exact"*bool(coupling), stokes, 8,
+            contact=contact, film=film, ratio=ratio, coupling=coupling,
+        )
+        runs.append(Run(case, settings, 8, n))
+        tables.append(case.table("motion"))
+    run = runs[0]
+    v, best = (table["velocity_x"] for table in tables)
+    error = 100*abs(v - best).max()/abs(best).max()
+    missed = run.steps - run.converged
+    return [
+        run.row("outers, largest", max(run.outers)),
+        run.row("not converged", missed, 0, 100*missed/run.steps),
+        run.row("velocity off 1e-6, %", error, 0, error),
+    ]
+
+
 def rows(folder, quick):
+    for ratio, stokes in HARD[:1] if quick else HARD:
+        yield from impact(
+            folder, stokes, ratio, "inelastic;", "none;", "inelastic, no film"
+        )
+        yield from impact(folder, stokes, ratio, SOFT, FILM, "soft, film")
     for stokes in STOKES[-2:-1] if quick else STOKES:
         yield from bounce(folder, f"St {stokes}", stokes, 8)
     if quick:
@@ -152,5 +183,5 @@ def rows(folder, quick):
     )
     yield from bounce(
         folder, f"St {stokes}, T = 0.02 D/V", stokes, 8,
-        contact="collisionTime 0.02;",
+        contact=f"{SOFT} collisionTime 0.02;",
     )
