@@ -25,9 +25,11 @@ def text(value):
 
 
 class Report:
-    """Collects the rows of one benchmark."""
+    """Collects the rows of one benchmark. Its folder is made at once, so that
+    one that cannot be made costs no run."""
 
     def __init__(self, name, folder):
+        folder.mkdir(parents=True, exist_ok=True)
         self.name = name
         self.folder = folder
         self.rows = []
@@ -62,7 +64,6 @@ class Report:
     def write(self, draw=None):
         """Write results/NAME.csv and .png; draw(rows, file): for a figure
         other than that of error against run time."""
-        self.folder.mkdir(exist_ok=True)
         with open(self.folder / f"{self.name}.csv", "w", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(COLUMNS)

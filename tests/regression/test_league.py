@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from leagueCase import BENCHMARKS, CROWD, league, scenes, stand_in
 from peers import cans, given
+from report import Report
 from settlingBox import random_centres
 
 pytestmark = pytest.mark.fast
@@ -36,6 +37,25 @@ def test_a_wrong_path_stops_the_command(tmp_path):
     assert done.returncode == 2
     assert "--cp3d: 'no/such/file' does not exist" in done.stderr
     assert not (tmp_path/"results").exists()
+
+
+def test_results_go_to_a_folder_that_is_made_first(tmp_path):
+    report = Report("league", tmp_path/"new"/"results")
+    report.write(draw=lambda rows, file: None)
+    assert (tmp_path/"new"/"results"/"league.csv").exists()
+
+
+def test_results_that_cannot_be_written_stop_the_command(
+    tmp_path, monkeypatch, capsys
+):
+    (tmp_path/"file").write_text("")
+    folder = tmp_path/"file"/"results"
+    monkeypatch.setattr(sys, "argv", ["benchmark", "--results", str(folder)])
+    monkeypatch.setattr(league.shutil, "which", lambda name: "foamRun")
+    with pytest.raises(SystemExit) as stopped:
+        league.main()
+    assert stopped.value.code == 2
+    assert f"--results {folder}: Not a directory" in capsys.readouterr().err
 
 
 def test_what_is_not_given_is_said(tmp_path, capsys):

@@ -226,7 +226,10 @@ def main():
         parser.error(str(error))
     if not shutil.which("foamRun"):
         parser.error("foamRun is not on PATH: source etc/bashrc first")
-    report = Report("league", Path(args.results))
+    try:
+        report = Report("league", Path(args.results))
+    except OSError as error:
+        parser.error(f"--results {args.results}: {error.strerror}")
     with tempfile.TemporaryDirectory() as scratch:
         try:
             for row in league(Path(scratch), peers, chosen(args)):
