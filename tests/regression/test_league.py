@@ -126,6 +126,15 @@ def test_crowds_are_clear_of_two_sides():
     assert free.min() < 0.5 and free.max() > 7.5
 
 
+def test_crowds_are_compared_on_whole_numbers_of_cells():
+    assert scenes.fineness(64, 8, 20) == [2, 1, 0.75, 0.5]
+    assert scenes.fineness(64, 8, 18) == [2, 1, 0.5]
+    assert scenes.fineness(64, 6, 20) == [2, 1]
+    coarse = scenes.crowd(CROWD, 60, 48, 8, 20, refined=0.75)
+    assert (coarse.box, coarse.cells, coarse.steps) == (36, 6, 15)
+    assert coarse.dt == pytest.approx(1/6)
+
+
 def test_rows_of_a_crowd():
     result = league.Result("crowd", 8, 1000)
     rows = league.crowd_rows(

@@ -4,15 +4,19 @@
 import os
 import re
 import subprocess
+import time
 
 from foamCase import FoamError
 from measure import Result
 
 WARM = 3                    # steps before those that are timed
+COARSE = 1                  # s; times in the log have hundredths of seconds
 SHORT = 15                  # s; other work on the machine makes runs slower
 WORK = 2e6                  # cells times steps of a run, about
 MOST = 24                   # steps, lest grains meet
-BODIES = "immersedBodies::"
+# What names of entries of the profile begin with
+BODIES = ("immersedBodies::", "resolvedBodies::")
+STEPS = "time.run() "
 PARTS = ("momentumPredictor", "pressureCorrector", BODIES)
 
 
@@ -28,8 +32,9 @@ class TimedRun(Result):
     step: time per step [ms], without the last, which writes; parts: that of
     PARTS; memory [kB] per cell, on the rank with most; outers: their mean;
     steps: those that are timed, by default so many that a run is short.
-    Times are those of the processor, of the first rank. exchange: time in MPI
-    per step, mean of the ranks [ms].
+    Times are those of the processor, of the first rank; of less than COARSE
+    seconds of steps the clock's, when the lines of the log come. exchange: time
+    in MPI per step, mean of the ranks [ms].
     """
 
     def __init__(self, case, command, settings, D_over_h, cells, ranks=1,
@@ -48,7 +53,7 @@ class TimedRun(Result):
         # How long the system takes to clear pages differs from run to run
         begin = min(
             (self.run(WARM)[3] for _ in range(2)),
-            key=lambda seconds: sum(seconds.values()),
+            key=lambda seconds: seconds[STEPS],
         )
         runs = [self.run(self.steps)]
         if times_of(runs[0][2])[-1] < SHORT:
@@ -59,42 +64,50 @@ class TimedRun(Result):
         outers = re.findall(r"outer iterations (\d+)", log)[WARM:]
         self.outers = sum(map(int, outers))/max(1, len(outers))
         self.exchange = self.time_in_mpi(log, steps)
-        total = sum(end.values()) - sum(begin.values())
         self.parts = [
-            self.step*(end[part] - begin[part])/total for part in PARTS
+            self.step*(end[part] - begin[part])/(end[STEPS] - begin[STEPS])
+            for part in PARTS
         ]
 
     def run(self, steps):
         """Time per step after WARM [ms], memory [kB], the log, and the seconds
-        of PARTS and of the rest."""
+        of PARTS and of all STEPS."""
         folder = self.case.path/("processor0" if self.ranks > 1 else "")
         self.case.controls(
             deltaT="0.5", endTime=f"{0.5*steps}", startFrom="startTime",
             profiling="{}", writeControl="timeStep", writeInterval=steps,
         )
-        memory = self.execute(self.case, self.command, self.ranks)
+        memory, clock = self.execute(self.case, self.command, self.ranks)
         log = (self.case.path/"log").read_text()
         times = times_of(log)
+        if times[-1] - times[WARM - 1] < COARSE:
+            times = clock
         step = 1000*(times[-2] - times[WARM - 1])/max(1, steps - WARM - 1)
         file = folder/f"{0.5*steps:g}"/"uniform"/"profiling"
         return step, memory, log, self.profile(file)
 
     @staticmethod
     def execute(case, command, ranks, options=()):
-        """Run, with the log in the file log; peak of memory [kB]. options: of
-        mpirun."""
+        """Run, with the log in the file log: peak of memory [kB], and the clock
+        [s] at the ends of the steps. options: of mpirun."""
         if ranks > 1:
             command = [
                 "mpirun", "-np", str(ranks), *options, *command, "-parallel"
             ]
+        clock = []
         with open(case.path/"log", "w") as log:
             run = subprocess.Popen(
-                command, cwd=case.path, stdout=log, stderr=log
+                command, cwd=case.path, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True,
             )
+            for line in run.stdout:
+                if line.startswith("ExecutionTime"):
+                    clock.append(time.monotonic())
+                log.write(line)
             _, status, usage = os.wait4(run.pid, 0)
         if status:
             raise FoamError(f"{' '.join(command)} in {case.path}")
-        return ranks*usage.ru_maxrss
+        return ranks*usage.ru_maxrss, clock
 
     @staticmethod
     def time_in_mpi(log, steps):
@@ -108,7 +121,7 @@ class TimedRun(Result):
 
     @staticmethod
     def profile(file):
-        """Seconds of PARTS and of the rest; bodies count once."""
+        """Seconds of PARTS and of all STEPS; bodies count once."""
         entry = re.compile(
             r"id\s+(\d+);\s+(?:parentId\s+(\d+);\s+)?"
             r'description\s+"(.*)";\s+calls.*;\s+totalTime\s+(\S+);'
@@ -116,10 +129,10 @@ class TimedRun(Result):
         found = entry.findall(file.read_text())
         names = {key: name for key, _, name, _ in found}
         parents = {key: parent for key, parent, _, _ in found}
-        seconds = dict.fromkeys(("application::main", *PARTS), 0.0)
+        seconds = dict.fromkeys((STEPS, *PARTS), 0.0)
         for key, _, name, time in found:
-            part = BODIES if name.startswith(BODIES) else name
-            if part not in seconds:
+            part = next(filter(name.startswith, seconds), None)
+            if part is None:
                 continue
             above = []
             while key := parents[key]:
@@ -130,5 +143,4 @@ class TimedRun(Result):
                 for name in set(above) & set(PARTS):
                     seconds[name] -= float(time)
             seconds[part] += float(time)
-        seconds["application::main"] -= sum(seconds[part] for part in PARTS)
         return seconds

@@ -98,7 +98,7 @@ def rows(folder, quick):
                 )
                 if ranks > 1:
                     case.decompose(ranks, (1, 1, ranks))
-                memory = TimedRun.execute(case, ["foamRun"], ranks)
+                memory, _ = TimedRun.execute(case, ["foamRun"], ranks)
                 times = ends((case.path/"log").read_text())
                 result = Result(
                     f"{number} grains, kernel of {kernel} cells, {ranks}"

@@ -32,8 +32,9 @@ PEERS = (cp3d, walberla, cans)
 
 class Choice(NamedTuple):
     """What is run: cases and cells per diameter of ten Cate; crowds (spheres,
-    cells per side and per diameter) with a number of steps; those compared
-    with ours on cells of half the size; sides of the box of fluid alone."""
+    cells per side and per diameter) with a number of steps; those compared,
+    on finer and coarser cells, with ours on the finest; sides of the box of
+    fluid alone."""
 
     cases: tuple = ("E1", "E2", "E3", "E4")
     cells: int = 10
@@ -109,8 +110,9 @@ def crowd(folder, players, choice):
     for size in (*choice.crowds, *choice.compared):
         number, *mesh = size
         reference = None
-        # The finest first: ours is what the others are compared with
-        for refined in (2, 1) if size in choice.compared else (1,):
+        compared = size in choice.compared
+        parts = scenes.fineness(*mesh, choice.steps) if compared else [1]
+        for refined in parts:
             scene = scenes.crowd(module, *size, choice.steps, refined)
             fixed = scenes.crowd(module, 1, *mesh, 10, refined)
             for peer, program in players:
@@ -121,7 +123,7 @@ def crowd(folder, players, choice):
                         yield found
                         continue
                     yield from crowd_rows(*found, reference)
-                    if refined > 1 and peer is ours:
+                    if compared and refined == parts[0] and peer is ours:
                         reference = found[-1]
 
 
@@ -187,7 +189,7 @@ def parse(words=None):
     parser.add_argument("--steps", type=at_least(4), default=20)
     parser.add_argument(
         "--compare", action="store_true",
-        help="the crowd with ours on cells of half the size",
+        help="the crowd on finer and coarser cells with ours on the finest",
     )
     parser.add_argument("--fluid", type=at_least(8), nargs="+", metavar="N")
     parser.add_argument("--results", default=HERE.parent/"results")

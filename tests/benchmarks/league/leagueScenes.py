@@ -8,6 +8,11 @@ import numpy as np
 
 from settlingBox import random_centres
 
+# Cells and steps of the crowds that are compared, over those asked for: the
+# finest, ours, is what the others are compared with
+FINENESS = (2, 1, 0.75, 0.5)
+FEWEST = 4                  # cells per diameter
+
 # Of a crowd, over D: gap between spheres at the start, and that to the two
 # sides of the box which no sphere may cross
 GAP, CLEAR = 0.05, 0.25
@@ -75,15 +80,23 @@ def settling(module, name, cells):
     )
 
 
+def fineness(box, cells, steps):
+    """Those of FINENESS that leave whole numbers."""
+    return [
+        part for part in FINENESS
+        if part*cells >= FEWEST
+        and not any(part*n % 1 for n in (box, cells, steps))
+    ]
+
+
 def crowd(module, number, box, cells, steps, refined=1):
     """One of the benchmark crowd, which is the module, but clear of two sides:
     CP3d has no images of spheres across them. refined: the same spheres and
     time on cells of 1/refined."""
     side = box/cells
     centres = random_centres(number, side, GAP, 1, clear=0.5 + CLEAR)
-    cells *= refined
+    box, cells, steps = (round(n*refined) for n in (box, cells, steps))
     return Crowd(
-        centres, box*refined, cells, steps*refined,
-        module.COURANT/(0.5*cells), 1/module.GALILEI, 1/(module.RATIO - 1),
-        module.RATIO,
+        centres, box, cells, steps, module.COURANT/(0.5*cells),
+        1/module.GALILEI, 1/(module.RATIO - 1), module.RATIO,
     )

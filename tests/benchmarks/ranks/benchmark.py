@@ -72,7 +72,7 @@ class Counted(Result):
                 startFrom="startTime", writeControl="timeStep",
                 writeInterval=1000,
             )
-            memory = TimedRun.execute(case, COMMAND, ranks, MONITORING)
+            memory, _ = TimedRun.execute(case, COMMAND, ranks, MONITORING)
             self.memory = memory/ranks/1024
             sent.append(self.bytes(case, ranks))
         self.sent = max(sent[1] - sent[0])/(MORE - FEW)/1000
