@@ -33,8 +33,8 @@ GAP = 0.05
 # Spheres, cells per side and per diameter
 CROWDS = ((500, 96, 8), (253, 96, 10), (570, 128, 10))
 QUICK = ((62, 48, 8),)
-# The same places on two meshes
-COMPARED = (148, (64, 8), (128, 16))
+# The same places on coarse meshes and a fine one
+COMPARED = (148, ((64, 8), (48, 6), (32, 4)), (128, 16))
 STEPS = 20
 
 
@@ -111,19 +111,23 @@ def figures(folder, number, box, cells, steps=STEPS, ratio=RATIO):
 
 
 def compared(folder):
-    """Rows of the same spheres on a coarse mesh against a fine one."""
+    """Rows of the same spheres and time on coarse meshes against a fine one."""
     number, coarse, fine = COMPARED
-    runs = []
-    for box, cells in (coarse, fine):
-        steps = STEPS*cells//coarse[1]
-        runs.append(solve(folder, number, box, cells, steps))
-    (run, _, velocity), (best, _, reference) = runs
+
+    def speeds_on(box, cells):
+        steps = STEPS*cells//coarse[0][1]
+        run, _, velocity = solve(folder, number, box, cells, steps)
+        return run, velocity
+
+    best, reference = speeds_on(*fine)
     yield best.row("mean velocity", reference.mean())
-    yield run.row("mean velocity", velocity.mean(), reference.mean())
-    error = math.sqrt(((velocity - reference)**2).mean())
-    yield run.row(
-        "rms error of a sphere, %", 100*error/abs(reference.mean())
-    )
+    for mesh in coarse:
+        run, velocity = speeds_on(*mesh)
+        yield run.row("mean velocity", velocity.mean(), reference.mean())
+        error = math.sqrt(((velocity - reference)**2).mean())
+        yield run.row(
+            "rms error of a sphere, %", 100*error/abs(reference.mean())
+        )
 
 
 def rows(folder, quick):
