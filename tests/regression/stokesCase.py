@@ -9,6 +9,7 @@
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
+from foamCase import FoamError
 from grainfoam import tables
 from periodicTube import BOUNDARY, SIDES
 
@@ -93,3 +94,15 @@ def solve(case, states=None, ranks=1, **entries):
         case.decompose(ranks)
     case.run("stokesModes", ranks=ranks)
     return table(case)
+
+
+def refused(case, *texts):
+    """Check that the command ends with an error that has these texts."""
+    try:
+        case.run("stokesModes")
+    except FoamError:
+        log = (case.path/"log.stokesModes").read_text()
+        assert "FOAM FATAL" in log
+        assert [text for text in texts if text not in log] == []
+    else:
+        raise AssertionError("stokesModes has taken what it should refuse")

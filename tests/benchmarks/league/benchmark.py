@@ -111,8 +111,8 @@ def crowd(folder, players, choice):
         number, *mesh = size
         reference = None
         compared = size in choice.compared
-        parts = scenes.fineness(*mesh, choice.steps) if compared else [1]
-        for refined in parts:
+        meshes = scenes.fineness(*mesh, choice.steps) if compared else [1]
+        for refined in meshes:
             scene = scenes.crowd(module, *size, choice.steps, refined)
             fixed = scenes.crowd(module, 1, *mesh, 10, refined)
             for peer, program in players:
@@ -123,7 +123,7 @@ def crowd(folder, players, choice):
                         yield found
                         continue
                     yield from crowd_rows(*found, reference)
-                    if compared and refined == parts[0] and peer is ours:
+                    if compared and refined == meshes[0] and peer is ours:
                         reference = found[-1]
 
 
