@@ -4,6 +4,7 @@
 import re
 import shutil
 
+import numpy as np
 import pytest
 
 import boxMesh
@@ -11,6 +12,7 @@ import refusals
 from bodyCase import BodyCase
 from boxMesh import uniform
 from contactCase import box2d, conditions, contact, discs
+from spreadRuns import write_twice
 
 G = 10
 SLEEP = "sleep { speed 0.03; }"
@@ -36,6 +38,10 @@ def progress(case):
         (case.path/"log.foamRun").read_text(),
     )
     return [(int(asleep or 0), int(outer)) for asleep, outer in lines]
+
+
+# Half the length of a box for many
+LONG = 16
 
 
 # Four side by side from wall to wall, and one on them
@@ -102,6 +108,44 @@ def test_sleep_is_the_same_on_two_ranks(heap, tmp_path):
         assert ranks.table("motion", body)["position_y"][-1] == pytest.approx(
             heap.table("motion", body)["position_y"][-1], abs=1e-4
         )
+
+
+def long_heap(folder):
+    """A row of discs from wall to wall, so many that they are spread over four
+    ranks. Others lie on it, or fall on it when it sleeps."""
+    case = settling(folder, HEAP)
+    boxMesh.write(
+        case, uniform(-LONG, LONG, 20*LONG), uniform(-1, 1, 20), None,
+        {"walls": "x- x+ y- y+"},
+    )
+    case.run("blockMesh")
+    places = [(i/2 + 0.25 - LONG, -0.74) for i in range(4*LONG)]
+    places += [(4*i - LONG + 1, -0.3) for i in range(LONG//2)]
+    at_rest = [(0, 0)]*len(places)
+    places += [(4*i - LONG + 3.1, 0.7) for i in range(LONG//2)]
+    case.bodies(
+        discs(places, 0.249, at_rest + [(0, 3.5)]*(LONG//2), ratio=1000),
+        contact(e=0.3) + SLEEP,
+    )
+    write_twice(case, 0.005, 240)
+    return case
+
+
+def test_sleep_is_the_same_where_bodies_are_spread(tmp_path):
+    one = long_heap(tmp_path)
+    four = BodyCase(one, tmp_path, "four")
+    one.solve()
+    assert "Bodies are spread over the ranks: 80" in four.solve(4, (4, 1, 1))
+
+    asleep, on_four = (np.array(progress(case)) for case in (one, four))
+    # Many wake, and sleep again
+    assert asleep[:, 0].max() > 50
+    assert (np.diff(asleep[:, 0]) < -1).any()
+    assert (asleep[:, 0] == on_four[:, 0]).mean() > 0.99
+    end, as_near = (
+        case.columns("motion")["position_y"][-80:] for case in (one, four)
+    )
+    assert as_near == pytest.approx(end, abs=1e-4)
 
 
 def test_what_falls_on_a_sleeper_wakes_it(tmp_path):

@@ -11,6 +11,7 @@ import pytest
 import boxMesh
 from bodyCase import BodyCase
 from boxMesh import uniform
+from contactCase import box2d, discs
 from periodicBox import SIDES, set_fields
 from periodicTube import direct_pressure
 from slidingBox import centres, set_velocity, sliding_box
@@ -46,7 +47,13 @@ def on_plane():
     return bodies
 
 
-def place(case, shares, window="", first=0.5, contact="", bodies=""):
+SPRINGS = f"softSphere; collisionTime {STEP}; friction 0.3; largestOverlap 0.9;"
+PROJECTIONS = {
+    model: f"{model}; tolerance 1e-10;" for model in ("inelastic", "viscous")
+}
+
+
+def place(case, shares, window="", first=0.5, contact=SPRINGS, bodies=""):
     """200 discs and ellipses, of each kind `shares` in so many, in a box far
     longer than it is wide, in rows, of which the first is so many of their
     distances above its lower side; and other bodies."""
@@ -67,15 +74,16 @@ def place(case, shares, window="", first=0.5, contact="", bodies=""):
     case.start = np.concatenate(places)
     case.bodies(
         bodies,
-        f"rho 1; coupling {{ nOuterCorrectors 12; }} {window} contact {{ type"
-        f" softSphere; collisionTime {STEP}; friction 0.3; largestOverlap 0.9;"
-        f" {contact} }}",
+        f"rho 1; coupling {{ nOuterCorrectors 12; }} {window}"
+        f" contact {{ type {contact} }}",
     )
     write_twice(case, STEP, STEPS)
     return case
 
 
-def crowd(folder, shares=(12, 0, 1), window="", walls=False):
+def crowd(
+    folder, shares=(12, 0, 1), window="", walls=False, contact=SPRINGS
+):
     """In a box that repeats itself, or between a plane of symmetry, on which
     others are, and a wall."""
     case = BodyCase("tube", folder, "crowd")
@@ -105,9 +113,10 @@ def crowd(folder, shares=(12, 0, 1), window="", walls=False):
     direct_pressure(case)
     if walls:
         return place(
-            case, shares, window, 0.66, "wallRoughness 5; seed 3;", on_plane()
+            case, shares, window, 0.66, f"{contact} wallRoughness 5; seed 3;",
+            on_plane(),
         )
-    return place(case, shares, window)
+    return place(case, shares, window, contact=contact)
 
 
 def sheared_crowd(folder):
@@ -170,6 +179,64 @@ def test_same_on_several_ranks(shares, tmp_path):
     anchors = re.findall("startPosition .*", state)
     assert len(anchors) == (66 if len(shares) == 4 else 0)
     assert re.findall("startPosition .*", as_good) == anchors
+
+
+@pytest.mark.parametrize("model", PROJECTIONS)
+def test_projection(model, tmp_path):
+    """Contact of all at once, of bodies of several ranks as well."""
+    one, several = check_ranks(
+        crowd(tmp_path, (1, 1), contact=PROJECTIONS[model]), tmp_path
+    )
+    force, as_much = (
+        np.abs(case.columns("forces")["contactForce_x"])
+        for case in (one, several)
+    )
+    assert (force[-200:] > 0).sum() > 20
+    assert as_much == pytest.approx(force, abs=1e-6*force.max())
+
+
+def heap(folder, contact):
+    """Discs in three layers, which fall onto each other and the floor of a long
+    box with a light fluid."""
+    half, radius = 16, 0.245
+    case = box2d(folder, 20)
+    boxMesh.write(
+        case, uniform(-half, half, 20*half), uniform(-1, 1, 20), None,
+        {"walls": "x- x+ y- y+"},
+    )
+    case.run("blockMesh")
+    case.gravity(y=-10)
+    places = [
+        (i/2 + 0.25*(1 + layer % 2) - half, -0.74 + 0.47*layer)
+        for layer in range(3) for i in range(4*half - 1)
+    ]
+    case.bodies(
+        discs(places, radius, ratio=1000), f"contact {{ type {contact} }}"
+    )
+    write_twice(case, 0.005, 40)
+    return case
+
+
+@pytest.mark.parametrize("model", [
+    "inelastic", pytest.param("viscous", marks=pytest.mark.nightly),
+])
+def test_projected_heap(model, tmp_path):
+    """As many contacts at once, found by each rank for its own discs, move them
+    as they do where all ranks have all, in the same flow: tables that are
+    written in each time step keep them together."""
+    spread = heap(tmp_path, PROJECTIONS[model])
+    together = BodyCase(spread, tmp_path, "together")
+    path = together.path/"system/controlDict"
+    path.write_text(path.read_text().replace("writeTime;", "timeStep;"))
+    log, _ = (case.solve(4, (4, 1, 1)) for case in (spread, together))
+    assert "Bodies are spread over the ranks: 189" in log
+    assert "complementarity" not in log
+
+    one, several = (motions(case)[:, -189:] for case in (together, spread))
+    force = np.abs(spread.columns("forces")["contactForce_y"][-189:])
+    assert (force > 0).mean() > 0.9
+    largest = np.maximum(np.abs(one).max(axis=1, keepdims=True), 1e-6)
+    assert np.max(np.abs(several - one)/largest) < 1e-6
 
 
 def test_window(tmp_path):

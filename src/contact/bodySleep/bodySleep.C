@@ -16,13 +16,15 @@ namespace
 Foam::bodySleep::bodySleep
 (
     const dictionary& dict,
+    bodyList& bodies,
     const vector& g,
     const bool contact,
     const bool window
 )
 :
-    active_(dict.found("sleep")),
-    speed_(active_ ? keywords::positive(dict.subDict("sleep"), "speed") : 0),
+    bodies_(bodies),
+    rests_(dict.found("sleep") ? new carriedPerBody<rest>(bodies) : nullptr),
+    speed_(active() ? keywords::positive(dict.subDict("sleep"), "speed") : 0),
     nSteps_
     (
         label(keywords::positiveOr(dict.subOrEmptyDict("sleep"), "steps", 20))
@@ -35,7 +37,7 @@ Foam::bodySleep::bodySleep
         dict.subOrEmptyDict("sleep"), {"speed", "steps", "force"}
     );
 
-    if (active_ && (!contact || mag(g) == 0 || window))
+    if (active() && (!contact || mag(g) == 0 || window))
     {
         FatalIOErrorInFunction(dict)
             << "'sleep' in '" << dict.dictName() << "' needs 'contact', gravity"
@@ -45,30 +47,28 @@ Foam::bodySleep::bodySleep
 }
 
 
-void Foam::bodySleep::settle(PtrList<immersedBody>& bodies, const scalar dt)
+void Foam::bodySleep::settle(const scalar dt)
 {
-    for (immersedBody& body : bodies)
+    forAll(bodies_, bodyi)
     {
-        if (!body.settles())
+        immersedBody& body = bodies_[bodyi];
+        rest& known = rests_()[bodyi];
+
+        if (!body.settles() || !bodies_.share().mine(bodyi))
         {
             continue;
         }
 
         if (body.maxSpeed() > speed_)
         {
-            rests_.erase(body.number());
+            known = rest();
             continue;
         }
 
-        if (!rests_.found(body.number()))
+        if (known.nSlow == 0)
         {
-            rests_.insert
-            (
-                body.number(), rest{0, 0, body.motion().old().U, Zero}
-            );
+            known.U = body.motion().old().U;
         }
-
-        rest& known = rests_[body.number()];
         known.time += dt;
 
         if (++known.nSlow < nSteps_)
@@ -87,86 +87,99 @@ void Foam::bodySleep::settle(PtrList<immersedBody>& bodies, const scalar dt)
         }
         else
         {
-            rests_.erase(body.number());
+            known = rest();
         }
+    }
+}
+
+
+void Foam::bodySleep::tell()
+{
+    List<told> all(bodies_.size());
+
+    forAll(all, bodyi)
+    {
+        all[bodyi].asleep = bodies_[bodyi].status().asleep();
+        all[bodyi].known = rests_()[bodyi];
+    }
+
+    bodies_.share().give(all);
+
+    forAll(all, bodyi)
+    {
+        if (bodies_[bodyi].status().asleep() != all[bodyi].asleep)
+        {
+            bodies_[bodyi].setAsleep(all[bodyi].asleep);
+        }
+        rests_()[bodyi] = all[bodyi].known;
     }
 }
 
 
 void Foam::bodySleep::update
 (
-    PtrList<immersedBody>& bodies,
     const periodicity& periods,
     wallFacets& walls,
     const scalar dt
 )
 {
-    if (active_)
+    if (active())
     {
-        wakeByFluid(bodies);
-        wakeByOthers(bodies, periods, dt);
-        settle(bodies, dt);
-        wakeByWalls(bodies, periods, walls);
-    }
-}
-
-
-void Foam::bodySleep::readState
-(
-    const dictionary& dict,
-    PtrList<immersedBody>& bodies
-)
-{
-    if (!active_)
-    {
-        return;
-    }
-
-    for (immersedBody& body : bodies)
-    {
-        const word key(keyOf(body));
-        const dictionary known
-        (
-            dict.subOrEmptyDict("rests").subOrEmptyDict(key)
-        );
-
-        if (known.size())
+        wakeByFluid();
+        wakeByOthers(periods, dt);
+        settle(dt);
+        wakeByWalls(periods, walls);
+        if (bodies_.share().spread())
         {
-            const rest r
-            {
-                known.get<label>("slow"),
-                known.get<scalar>("time"),
-                known.get<vector>("velocity"),
-                known.get<vector>("force")
-            };
-
-            rests_.insert(body.number(), r);
-            body.setAsleep(r.nSlow >= nSteps_);
+            tell();
         }
     }
 }
 
 
-void Foam::bodySleep::writeState
-(
-    const PtrList<immersedBody>& bodies,
-    Ostream& os
-) const
+void Foam::bodySleep::readState(const dictionary& dict)
 {
-    if (!active_)
+    if (!active())
+    {
+        return;
+    }
+
+    const dictionary& all = dict.subOrEmptyDict("rests");
+
+    forAll(bodies_, bodyi)
+    {
+        const dictionary known(all.subOrEmptyDict(keyOf(bodies_[bodyi])));
+
+        if (known.size())
+        {
+            rest& r = rests_()[bodyi];
+
+            r.nSlow = known.get<label>("slow");
+            r.time = known.get<scalar>("time");
+            r.U = known.get<vector>("velocity");
+            r.force = known.get<vector>("force");
+            bodies_[bodyi].setAsleep(r.nSlow >= nSteps_);
+        }
+    }
+}
+
+
+void Foam::bodySleep::writeState(Ostream& os) const
+{
+    if (!active())
     {
         return;
     }
 
     os.beginBlock("rests");
 
-    for (const immersedBody& body : bodies)
+    forAll(bodies_, bodyi)
     {
-        if (rests_.found(body.number()))
-        {
-            const rest& known = rests_[body.number()];
+        const rest& known = rests_()[bodyi];
 
-            os.beginBlock(keyOf(body));
+        if (known.nSlow > 0)
+        {
+            os.beginBlock(keyOf(bodies_[bodyi]));
             os.writeEntry("slow", known.nSlow);
             os.writeEntry("time", known.time);
             os.writeEntry("velocity", known.U);

@@ -11,25 +11,27 @@ namespace
 }
 
 
-void Foam::bodySleep::wake(immersedBody& body)
+void Foam::bodySleep::wake(const label bodyi)
 {
-    body.setAsleep(false);
-    rests_.erase(body.number());
+    bodies_[bodyi].setAsleep(false);
+    rests_()[bodyi] = rest();
 }
 
 
-void Foam::bodySleep::wakeByFluid(PtrList<immersedBody>& bodies)
+void Foam::bodySleep::wakeByFluid()
 {
-    for (immersedBody& body : bodies)
+    forAll(bodies_, bodyi)
     {
+        const immersedBody& body = bodies_[bodyi];
+
         if
         (
-            body.status().asleep()
-         && mag(body.fluid().force() - rests_[body.number()].force)
+            sleepsHere(bodyi)
+         && mag(body.fluid().force() - rests_()[bodyi].force)
           > smallForce(body)
         )
         {
-            wake(body);
+            wake(bodyi);
         }
     }
 }
@@ -37,18 +39,17 @@ void Foam::bodySleep::wakeByFluid(PtrList<immersedBody>& bodies)
 
 void Foam::bodySleep::wakeByOthers
 (
-    PtrList<immersedBody>& bodies,
     const periodicity& periods,
     const scalar dt
 )
 {
-    pointField centres(bodies.size());
-    scalarField radii(bodies.size());
+    pointField centres(bodies_.size());
+    scalarField radii(bodies_.size());
     bool any = false;
 
-    forAll(bodies, i)
+    forAll(bodies_, i)
     {
-        const immersedBody& body = bodies[i];
+        const immersedBody& body = bodies_[i];
 
         centres[i] = body.state().position;
         radii[i] = (1 + margin)*body.shape().boundingRadius();
@@ -73,12 +74,17 @@ void Foam::bodySleep::wakeByOthers
 
     for (const closePairs::pair& p : close.pairs())
     {
-        const bool a = bodies[p.a].status().asleep();
-        const bool b = bodies[p.b].status().asleep();
+        const bool a = bodies_[p.a].status().asleep();
+        const bool b = bodies_[p.b].status().asleep();
+        const label sleeper = a ? p.a : p.b;
 
-        if (a != b && bodies[a ? p.b : p.a].maxSpeed() > speed_)
+        if
+        (
+            a != b && sleepsHere(sleeper)
+         && bodies_[a ? p.b : p.a].maxSpeed() > speed_
+        )
         {
-            wake(bodies[a ? p.a : p.b]);
+            wake(sleeper);
         }
     }
 }
@@ -86,35 +92,37 @@ void Foam::bodySleep::wakeByOthers
 
 void Foam::bodySleep::wakeByWalls
 (
-    PtrList<immersedBody>& bodies,
     const periodicity& periods,
     wallFacets& walls
 )
 {
-    pointField centres(bodies.size());
-    scalarField radii(bodies.size(), Zero);
+    const bodyShare& share = bodies_.share();
+    pointField centres(bodies_.size());
+    scalarField radii(bodies_.size(), Zero);
+    bool any = false;
 
-    forAll(bodies, i)
+    forAll(bodies_, i)
     {
-        centres[i] = bodies[i].state().position;
-        if (bodies[i].status().asleep())
+        centres[i] = bodies_[i].state().position;
+        if (bodies_[i].status().asleep())
         {
-            radii[i] = (1 + margin)*bodies[i].shape().boundingRadius();
+            any = true;
+            radii[i] = (1 + margin)*bodies_[i].shape().boundingRadius();
         }
     }
 
-    if (max(radii) == 0 || walls.maxSpeed() <= speed_)
+    if (!share.any(any) || walls.maxSpeed() <= speed_)
     {
         return;
     }
 
-    walls.update(centres, radii, periods, nullptr);
+    walls.update(centres, radii, periods, share.spread() ? &share : nullptr);
 
-    forAll(bodies, i)
+    forAll(bodies_, i)
     {
-        if (walls.maxSpeedBeside(i) > speed_)
+        if (sleepsHere(i) && walls.maxSpeedBeside(i) > speed_)
         {
-            wake(bodies[i]);
+            wake(i);
         }
     }
 }

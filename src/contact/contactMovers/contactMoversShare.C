@@ -32,6 +32,34 @@ void Foam::contactMovers::share
 }
 
 
+Foam::labelHashSet Foam::contactMovers::recorded
+(
+    const labelHashSet& numbers
+) const
+{
+    if (!shared())
+    {
+        return numbers;
+    }
+
+    labelHashSet mine;
+
+    for (const label number : numbers)
+    {
+        // A slab has the records of all
+        const bool counts =
+            spread() ? held_->mine(held_->find(number)) : Pstream::master();
+
+        if (counts)
+        {
+            mine.insert(number);
+        }
+    }
+
+    return mine;
+}
+
+
 void Foam::contactMovers::connect()
 {
     DynamicList<labelPair> bodies(pairs_.size());
@@ -86,6 +114,7 @@ bool Foam::contactMovers::diverted(const contactMover& m)
     // One that is not round turns in sub-steps on another way than in one
     return
         !m.round
+     || m.displaced
      || m.dU != vector::zero
      || m.dOmega != vector::zero
      || m.impulse.linear != vector::zero

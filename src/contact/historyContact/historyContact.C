@@ -19,8 +19,11 @@ void Foam::historyContact<Record>::begin
     {
         energy_ = oldEnergy_;
         energy_.normalSprings = energy_.tangentialSprings = 0;
-        history_.append(old_, asleep(bodies));
     }
+
+    const labelHashSet held(asleep(bodies));
+
+    history_.append(old_, movers_.recorded(held), held);
     meetings_.clear();
     movers_.pairs().clear();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "moverExchange.H"
-#include "exchange.H"
 #include "ListOps.H"
 
 namespace
@@ -119,6 +118,20 @@ void Foam::moverExchange::agree
         sentStart_.append(sent.size());
     }
     sent_ = sent;
+
+    labelList has(sent_.size()), known(received_.size());
+
+    forAll(has, k)
+    {
+        has[k] = sent_[k] >= 0;
+    }
+    Foam::exchange(has, sentStart_, known, receivedStart_);
+
+    known_.setSize(known.size());
+    forAll(known, k)
+    {
+        known_[k] = known[k];
+    }
 }
 
 

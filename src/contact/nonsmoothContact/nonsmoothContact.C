@@ -12,7 +12,15 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
     historyContact<contactMultiplier>("contactMultipliers"),
     tolerance_(keywords::positiveOr(dict, "tolerance", 1e-8)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.1)),
-    projection_(tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)),
+    wholeProjection_
+    (
+        tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)
+    ),
+    sharedProjection_
+    (
+        movers_, tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)
+    ),
+    wayWanted_(0),
     told_(false)
 {
     keywords::check
@@ -44,12 +52,13 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
 
 void Foam::contactModels::nonsmoothContact::solve(const scalar floor)
 {
-    if (!projection_.solve(floor) && !told_)
+    if (!projection().solve(floor) && !told_)
     {
         told_ = true;
         WarningInFunction
             << "Contact: the residual of complementarity is "
-            << projection_.residual() << " after " << projection_.nIterations()
+            << projection().residual() << " after "
+            << projection().nIterations()
             << " sweeps ('maxIter'), above 'tolerance " << tolerance_
             << "'. This is said once." << nl << endl;
     }
@@ -66,22 +75,33 @@ void Foam::contactModels::nonsmoothContact::advance
     const vector& meshU
 )
 {
-    begin(bodies);
+    // One that is hit may go as far as the fastest
+    const scalar furthest =
+        2*movers_.largest(contactMovers::ways(bodies, dt, meshU));
 
-    if (!search(bodies, walls, periods, dt, meshU))
+    wayWanted_ = furthest > movers_.mostWay() ? furthest : 0;
+    if (wayWanted_ > 0)
     {
         return;
     }
 
-    const label n = nParts(bodies, dt, meshU);
+    begin(bodies);
 
-    for (label i = 0; i < n; ++i)
+    if (search(bodies, walls, periods, dt, furthest))
     {
-        step(bodies, walls, dt/n, meshU);
-    }
+        const label n = nParts(bodies, dt, meshU);
 
-    movers_.setContact(bodies, dt);
-    remember();
+        for (label i = 0; i < n; ++i)
+        {
+            step(bodies, walls, dt/n, meshU);
+        }
+
+        movers_.putBack(bodies);
+        movers_.collect();
+        movers_.setContact(bodies, dt);
+        remember();
+    }
+    sumEnergy();
 }
 
 

@@ -38,7 +38,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::smallestHalfWidth
         width = min(width, bodies[m.body].shape().width());
     }
 
-    return 0.5*width;
+    return -0.5*movers_.largest(-width);
 }
 
 
@@ -49,11 +49,11 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
 {
     scalar largest = 0;
 
-    projection_.clear();
+    projection().clear();
 
     for (const contactMover& m : movers_)
     {
-        projection_.append
+        projection().append
         (
             velocityProjection::body
             {
@@ -76,7 +76,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
             k.softness = softness;
         }
 
-        if (projection_.append(k))
+        if (projection().append(k))
         {
             largest = max
             (
@@ -86,7 +86,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
         }
     }
 
-    return largest;
+    return movers_.largest(largest);
 }
 
 
@@ -115,10 +115,12 @@ void Foam::contactModels::nonsmoothContact::projectPoses
 
         forAll(movers_, i)
         {
-            movers_[i].state.move
-            (
-                1, projection_[i].U, projection_[i].omega
-            );
+            contactMover& m = movers_[i];
+            const velocityProjection::body& way = projection()[i];
+
+            m.state.move(1, way.U, way.omega);
+            m.displaced = m.displaced
+             || way.U != vector::zero || way.omega != vector::zero;
         }
     }
 }

@@ -32,7 +32,7 @@ bool Foam::contactModels::nonsmoothContact::search
     wallFacets& walls,
     const periodicity& periods,
     const scalar dt,
-    const vector& meshU
+    const scalar furthest
 )
 {
     scalarField around(bodies.size());
@@ -41,9 +41,6 @@ bool Foam::contactModels::nonsmoothContact::search
     {
         around[i] = margin*bodies[i].shape().boundingRadius();
     }
-
-    // One that is hit may go as far as the fastest
-    const scalar furthest = 2*max(contactMovers::ways(bodies, dt, meshU));
 
     if
     (
@@ -102,7 +99,7 @@ Foam::label Foam::contactModels::nonsmoothContact::nParts
         most = max(most, 4*dt*speed/shape.width());
     }
 
-    return max(label(1), label(ceil(most)));
+    return max(label(1), label(ceil(movers_.largest(most))));
 }
 
 

@@ -16,7 +16,7 @@ Foam::contactModels::nonsmoothContact::contactOf
     velocityProjection::contact k
     {
         c.a, c.b, t.point.normal, x - movers_[c.a].state.position, Zero,
-        offset, least, impulse, 0
+        offset, least, impulse, 0, !movers_.mine(c)
     };
 
     if (c.b >= 0)
@@ -48,11 +48,11 @@ Foam::scalar Foam::contactModels::nonsmoothContact::opening
 
 void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
 {
-    projection_.clear();
+    projection().clear();
 
     for (const contactMover& m : movers_)
     {
-        projection_.append
+        projection().append
         (
             velocityProjection::body
             {
@@ -71,7 +71,7 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
         const scalar gap =
             t.record.holds() ? 0 : max(t.point.gap, scalar(0));
 
-        const bool taken = projection_.append
+        const bool taken = projection().append
         (
             contactOf
             (
@@ -96,7 +96,7 @@ void Foam::contactModels::nonsmoothContact::projectVelocities(const scalar h)
 
     forAll(solved, k)
     {
-        applyImpulse(touches_[solved[k]], projection_.impulse(k), h);
+        applyImpulse(touches_[solved[k]], projection().impulse(k), h);
     }
 }
 
@@ -158,7 +158,7 @@ void Foam::contactModels::nonsmoothContact::step
     forAll(movers_, i)
     {
         contactMover& m = movers_[i];
-        const velocityProjection::body& end = projection_[i];
+        const velocityProjection::body& end = projection()[i];
 
         start.append(m.state);
         m.dU += end.U - (m.state.U + h*m.acceleration);
@@ -170,8 +170,13 @@ void Foam::contactModels::nonsmoothContact::step
     // Less the work of the impulses, at the mean velocity
     forAll(touches_, i)
     {
-        energy_.dashpots -= 0.5*h*touches_[i].record.force
-           *(before[i] + opening(touches_[i]));
+        const touch& t = touches_[i];
+
+        if (movers_.mine(candidates()[t.candidate]))
+        {
+            energy_.dashpots -=
+                0.5*h*t.record.force*(before[i] + opening(t));
+        }
     }
 
     forAll(movers_, i)

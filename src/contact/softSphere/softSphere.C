@@ -199,8 +199,7 @@ void Foam::contactModels::softSphere::advance
 
     do
     {
-        const scalar most =
-            movers_.largest(furthest.empty() ? 0 : max(furthest));
+        const scalar most = movers_.largest(furthest);
 
         if (most > movers_.mostWay())
         {

@@ -50,6 +50,7 @@ bool Foam::velocityProjection::append(const contact& c)
     r.impulse = c.impulse;
     r.slope = r.direction = r.response = 0;
     r.free = false;
+    r.elsewhere = c.elsewhere;
 
     const body& a = bodies_[r.a];
     const body& b = bodies_[r.b];
@@ -90,22 +91,22 @@ bool Foam::velocityProjection::append(const contact& c)
 
 Foam::scalar Foam::velocityProjection::largestResidual() const
 {
-    scalar largest = 0;
+    scalar most = 0;
 
     for (const row& r : rows_)
     {
         const scalar spare = r.diagonal*(r.impulse - r.least);
 
-        largest = max(largest, mag(min(opening(r), spare)));
+        most = max(most, mag(min(opening(r), spare)));
     }
 
-    return largest;
+    return largest(most);
 }
 
 
 Foam::scalar Foam::velocityProjection::limit() const
 {
-    scalar largest = 0;
+    scalar most = 0;
 
     for (const row& r : rows_)
     {
@@ -113,10 +114,10 @@ Foam::scalar Foam::velocityProjection::limit() const
         const body& a = bodies_[r.a];
         const body& b = bodies_[r.b];
 
-        largest = max(largest, r.least < 0 ? mag(w) : -w);
-        largest = max
+        most = max(most, r.least < 0 ? mag(w) : -w);
+        most = max
         (
-            largest,
+            most,
             rounding
            *(
                 mag(a.U) + mag(b.U)
@@ -125,12 +126,14 @@ Foam::scalar Foam::velocityProjection::limit() const
         );
     }
 
-    return tolerance_*largest;
+    return tolerance_*largest(most);
 }
 
 
 bool Foam::velocityProjection::solve(const scalar floor)
 {
+    complete(bodies_);
+
     const scalar small = max(limit(), floor);
 
     for (row& r : rows_)
@@ -139,6 +142,7 @@ bool Foam::velocityProjection::solve(const scalar floor)
         r.impulse = small > 0 ? max(r.least, r.impulse) : 0;
         push(r, r.impulse, bodies_);
     }
+    complete(bodies_);
 
     changes_ = bodies_;
     nIterations_ = 0;

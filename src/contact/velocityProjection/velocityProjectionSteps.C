@@ -12,7 +12,7 @@ namespace
 
 Foam::scalar Foam::velocityProjection::sweep()
 {
-    scalar largest = 0;
+    scalar most = 0;
 
     for (row& r : rows_)
     {
@@ -26,26 +26,26 @@ Foam::scalar Foam::velocityProjection::sweep()
         {
             r.impulse = after;
             push(r, change, bodies_);
-            largest = max(largest, r.diagonal*mag(change));
+            most = max(most, r.diagonal*mag(change));
         }
     }
 
-    return largest;
+    return most;
 }
 
 
 Foam::scalar Foam::velocityProjection::startDirections()
 {
-    scalar largest = 0;
+    scalar most = 0;
 
     for (row& r : rows_)
     {
         r.slope = r.free ? -opening(r) : 0;
         r.direction = r.slope/r.diagonal;
-        largest = max(largest, mag(r.slope));
+        most = max(most, mag(r.slope));
     }
 
-    return largest;
+    return largest(most);
 }
 
 
@@ -59,22 +59,27 @@ Foam::scalar Foam::velocityProjection::along()
     {
         push(r, r.direction, changes_);
     }
+    complete(changes_);
 
-    scalar sum = 0, work = 0, least = 0;
+    // Of slopes along the direction, of work, and the least that this may be
+    vector sums(Zero);
 
     for (row& r : rows_)
     {
         r.response = r.free
           ? speed(r, changes_) + r.softness*r.direction
           : 0;
-        sum += r.slope*r.direction;
-        work += r.direction*r.response;
-        least += r.diagonal*sqr(r.direction);
+        if (!r.elsewhere)
+        {
+            sums += r.direction
+               *vector(r.slope, r.response, r.diagonal*r.direction);
+        }
     }
+    sums = total(sums);
 
     // None along a direction that changes no velocity, as there is one if more
     // contacts push than it takes
-    return work > SMALL*least ? sum/work : 0;
+    return sums.y() > SMALL*sums.z() ? sums.x()/sums.y() : 0;
 }
 
 
@@ -93,7 +98,7 @@ bool Foam::velocityProjection::cut(const scalar step)
         }
     }
 
-    return any;
+    return largest(any) > 0;
 }
 
 
@@ -113,18 +118,19 @@ void Foam::velocityProjection::go(const scalar step)
 }
 
 
-Foam::scalar Foam::velocityProjection::slopes(scalar& largest) const
+Foam::scalar Foam::velocityProjection::slopes(scalar& most) const
 {
     scalar sum = 0;
-    largest = 0;
+    most = 0;
 
     for (const row& r : rows_)
     {
-        sum += sqr(r.slope)/r.diagonal;
-        largest = max(largest, mag(r.slope));
+        sum += r.elsewhere ? 0 : sqr(r.slope)/r.diagonal;
+        most = max(most, mag(r.slope));
     }
+    most = largest(most);
 
-    return sum;
+    return total(vector(sum, 0, 0)).x();
 }
 
 

@@ -92,12 +92,14 @@ void Foam::flowSolvers::fluidWithBodies::reportProgress() const
     const scalar secondsLeft =
         left < GREAT ? runTime_.elapsedCpuTime()*left/max(done, VSMALL) : 0;
 
+    const label nAsleep = bodies_.list().nAsleep();
+
     Info<< "Progress: step " << runTime_.timeIndex()
         << ", Courant number " << CoNum
         << ", bodies " << bodies_.nBodies();
-    if (bodies_.list().nAsleep())
+    if (nAsleep)
     {
-        Info<< " (" << bodies_.list().nAsleep() << " asleep)";
+        Info<< " (" << nAsleep << " asleep)";
     }
     Info<< ", ";
     reportIterations(Info);

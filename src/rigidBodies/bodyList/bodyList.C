@@ -96,12 +96,12 @@ Foam::label Foam::bodyList::nAsleep() const
 {
     label n = 0;
 
-    for (const immersedBody& body : *this)
+    forAll(*this, bodyi)
     {
-        n += body.status().asleep();
+        n += share_->mine(bodyi) && operator[](bodyi).status().asleep();
     }
 
-    return n;
+    return share_->total(n);
 }
 
 

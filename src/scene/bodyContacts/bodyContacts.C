@@ -7,6 +7,7 @@
 Foam::bodyContacts::bodyContacts
 (
     const dictionary& dict,
+    bodyList& bodies,
     const fvMesh& mesh,
     const geometricSpace& space,
     const periodicity& periods,
@@ -32,7 +33,7 @@ Foam::bodyContacts::bodyContacts
             dict.subOrEmptyDict("contact"), fluid.rho(), lubrication_()
         )
     ),
-    sleep_(dict, fluid.g(), model_->active(), window),
+    sleep_(dict, bodies, fluid.g(), model_->active(), window),
     proximity_(mesh, periods, model_())
 {
     if (model_->active())
@@ -74,38 +75,26 @@ void Foam::bodyContacts::advance
 }
 
 
-void Foam::bodyContacts::updateSleep
-(
-    PtrList<immersedBody>& bodies,
-    const scalar dt
-)
+void Foam::bodyContacts::updateSleep(const scalar dt)
 {
     if (sleep_.active())
     {
-        sleep_.update(bodies, periodicity_, walls_(), dt);
+        sleep_.update(periodicity_, walls_(), dt);
     }
 }
 
 
-void Foam::bodyContacts::readState
-(
-    const dictionary& dict,
-    PtrList<immersedBody>& bodies
-)
+void Foam::bodyContacts::readState(const dictionary& dict)
 {
     model_->readState(dict);
-    sleep_.readState(dict, bodies);
+    sleep_.readState(dict);
 }
 
 
-void Foam::bodyContacts::writeState
-(
-    const PtrList<immersedBody>& bodies,
-    Ostream& os
-) const
+void Foam::bodyContacts::writeState(Ostream& os) const
 {
     model_->writeState(os);
-    sleep_.writeState(bodies, os);
+    sleep_.writeState(os);
 }
 
 

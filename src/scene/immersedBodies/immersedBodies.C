@@ -99,7 +99,8 @@ Foam::immersedBodies::immersedBodies
     (
         new bodyContacts
         (
-            dict, mesh, space_, periodicity_, fluid_, window_.comoving()
+            dict, bodies_, mesh, space_, periodicity_, fluid_,
+            window_.comoving()
         )
     ),
     crowd_(bodies_),

@@ -30,7 +30,7 @@ bool Foam::immersedBodies::readState()
     window_.readState(states.subDict("window"));
 
     passage_->readState(states, bodies_);
-    contacts_->readState(states, bodies_);
+    contacts_->readState(states);
     crowd_.readState(states);
     bodies_.share().readState(states);
 
@@ -125,7 +125,7 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     os.writeEntry("time", clock_);
     window_.writeState(os);
     passage_->writeState(os);
-    contacts_->writeState(bodies_, os);
+    contacts_->writeState(os);
     crowd_.writeState(os);
     bodies_.share().writeState(os);
 

@@ -134,7 +134,6 @@ bool Foam::immersedBodies::endStep()
         body.endStep(stepRatio(), crowd_.active());
     }
 
-    contacts_->updateSleep(bodies_, mesh_.time().deltaTValue());
     resolved_->loads().noteUnresolved(unresolved_->coupling());
 
     // Contact knows the bodies as they are before any leave
@@ -152,6 +151,7 @@ bool Foam::immersedBodies::endStep()
     handover_->hand(mesh_.time().deltaTValue());
     contacts_->endStep();
     handover_->drop();
+    contacts_->updateSleep(mesh_.time().deltaTValue());
 
     return good;
 }
