@@ -22,6 +22,7 @@ ALONG, ACROSS = 40, 5
 STEP, STEPS = 0.05, 6
 DISC = "shape { type disc; radius 0.5; }"
 WINDOW = "window { type comoving; directions ((1 0 0) (0 1 0)); }"
+FILMS = "lubrication { type leadingOrder; }"
 # Shapes, and how they move
 KINDS = (
     f"{DISC} densityRatio 2; velocity (1 0.3 0);",
@@ -215,6 +216,21 @@ def heap(folder, contact):
     )
     write_twice(case, 0.005, 40)
     return case
+
+
+def test_films(tmp_path):
+    """Of fluid in the gaps, one after the other from rank to rank, also where
+    bodies touch walls."""
+    one, several = check_ranks(
+        crowd(tmp_path, (1, 1), FILMS, walls=True), tmp_path, number=240
+    )
+    losses, as_much = (
+        float(re.search(
+            "contactLosses .*", state_of(case, part)
+        )[0].rstrip(");").split()[-1])
+        for case, part in ((one, "."), (several, "processor0"))
+    )
+    assert losses > 0 and as_much == pytest.approx(losses, rel=1e-6)
 
 
 @pytest.mark.parametrize("model", [

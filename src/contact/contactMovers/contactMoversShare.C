@@ -94,6 +94,27 @@ void Foam::contactMovers::exchangeVelocities
 }
 
 
+void Foam::contactMovers::giveVelocities()
+{
+    List<Pair<vector>> velocities(size());
+
+    forAll(velocities, i)
+    {
+        const bodyState& state = (*this)[i].state;
+
+        velocities[i] = Pair<vector>(state.U, state.omega);
+    }
+    give(velocities);
+    forAll(velocities, i)
+    {
+        bodyState& state = (*this)[i].state;
+
+        state.U = velocities[i].first();
+        state.omega = velocities[i].second();
+    }
+}
+
+
 Foam::contactMovers::outcome Foam::contactMovers::outcomeOf
 (
     const contactMover& m

@@ -64,6 +64,7 @@ void Foam::gapFilms::setPairs
     {
         gaps_.append(gapOf(bodies, h, p));
     }
+    turns_.setPairs(bodies);
 }
 
 

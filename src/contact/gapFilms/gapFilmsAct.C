@@ -197,41 +197,66 @@ Foam::scalar Foam::gapFilms::resist
 }
 
 
+Foam::scalar Foam::gapFilms::act
+(
+    const film& f,
+    const scalar h,
+    tensor& moment
+)
+{
+    const pair& p = pairOf(f);
+    const lubricationModel::film& of = gaps_[f.pairi];
+    const contactPoint& at = f.point;
+    const Pair<scalar> masses
+    (
+        movers_.inverseMasses(p, at.position, at.normal)
+    );
+
+    if (masses.first() <= 0)
+    {
+        return 0;
+    }
+
+    const vector U(movers_.relativeVelocity(p, at.position, at.wallU));
+    const scalar closing = U & at.normal;
+    scalar lost = resistClosing(f, closing, masses.first(), h, moment);
+
+    lost += resist
+    (
+        f, U - closing*at.normal, model_.sliding(of, at.gap),
+        masses.second(), false, h, moment
+    );
+    lost += resist
+    (
+        f, rollingVelocity(f), model_.rolling(of, at.gap),
+        inverseRollingMass(f), true, h, moment
+    );
+
+    return lost;
+}
+
+
 Foam::scalar Foam::gapFilms::act(const scalar h, const moments& momentOf)
 {
+    labelList pairs(films_.size());
     scalar lost = 0;
 
-    for (const film& f : films_)
+    forAll(pairs, i)
     {
-        const pair& p = pairOf(f);
-        const lubricationModel::film& of = gaps_[f.pairi];
-        const contactPoint& at = f.point;
-        const Pair<scalar> masses
-        (
-            movers_.inverseMasses(p, at.position, at.normal)
-        );
-
-        if (masses.first() <= 0)
-        {
-            continue;
-        }
-
-        tensor& moment = momentOf(f.pairi);
-        const vector U(movers_.relativeVelocity(p, at.position, at.wallU));
-        const scalar closing = U & at.normal;
-
-        lost += resistClosing(f, closing, masses.first(), h, moment);
-        lost += resist
-        (
-            f, U - closing*at.normal, model_.sliding(of, at.gap),
-            masses.second(), false, h, moment
-        );
-        lost += resist
-        (
-            f, rollingVelocity(f), model_.rolling(of, at.gap),
-            inverseRollingMass(f), true, h, moment
-        );
+        pairs[i] = films_[i].pairi;
     }
+
+    turns_.go
+    (
+        pairs,
+        [&](const label i)
+        {
+            const film& f = films_[i];
+            const scalar loss = act(f, h, momentOf(f.pairi));
+
+            lost += movers_.mine(pairOf(f)) ? loss : 0;
+        }
+    );
 
     return lost;
 }

@@ -222,10 +222,6 @@ void Foam::contactModels::softSphere::advance
 
 bool Foam::contactModels::softSphere::follow(const bodyShare& share)
 {
-    if (films_.active())
-    {
-        return false;
-    }
     movers_.follow(share);
 
     return true;
