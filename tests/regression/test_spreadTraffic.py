@@ -2,6 +2,8 @@
 """So many bodies that each rank holds only those near to it, while some leave
 the mesh and others enter it: the same on any number of ranks."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -16,7 +18,7 @@ from spreadRuns import motions, run_in_parts, write_twice
 LENGTH, STEP, STEPS = 40, 0.02, 30
 CONTACT = (
     f"contact {{ type softSphere; collisionTime {STEP}; friction 0.3;"
-    " largestOverlap 0.9; } coupling { resolvedFrom 2; }"
+    " largestOverlap 0.9; }"
 )
 # What is injected differs in size, and is larger than what there was
 TRAFFIC = """
@@ -54,12 +56,14 @@ injection
 AGAIN = "type reinject; position (20.1 0 0); velocity ambient;"
 
 
-def deep_tube(folder, width):
-    """A tube of square section, with a plug flow at the start."""
+def deep_tube(folder, width, ratio=1):
+    """A tube of square section, with a plug flow at the start. Along it the length
+    of cells changes by this ratio and back, four times."""
     case = BodyCase("tube", folder, "rows")
     across = uniform(-width, width, round(10*width))
+    along = [(LENGTH/8, round(5*LENGTH/8), r) for r in (ratio, 1/ratio)]
     boxMesh.write(
-        case, uniform(0, LENGTH, 5*LENGTH), across, across,
+        case, [0, *4*along], across, across,
         {"inlet": "x-", "outlet": "x+", "walls": "y- y+ z- z+"},
     )
     case.run("blockMesh")
@@ -73,7 +77,7 @@ def deep_tube(folder, width):
     return case
 
 
-def place(case, shape, lanes, injected, outlet, apart=0.8):
+def place(case, shape, lanes, injected, outlet, apart=0.8, coupling=""):
     """Rows of bodies along a tube, some faster than others; those near to the
     inlet go against the flow."""
     direct_pressure(case)
@@ -98,7 +102,11 @@ def place(case, shape, lanes, injected, outlet, apart=0.8):
     add_sensor(case, "\n".join(
         f"at{x} {{ point ({x} 0 0); normal (1 0 0); }}" for x in (0, 10, 25, 40)
     ))
-    case.bodies(bodies, CONTACT + TRAFFIC.format(outlet=outlet, **injected))
+    case.bodies(
+        bodies,
+        f"{CONTACT} coupling {{ resolvedFrom 2; {coupling} }}"
+        + TRAFFIC.format(outlet=outlet, **injected),
+    )
     write_twice(case, STEP, STEPS)
     return case
 
@@ -143,12 +151,12 @@ def count(happened, what, where):
     return sum(e[2] == what and e[4] == where for e in happened)
 
 
-def run_on_ranks(case, folder):
+def run_on_ranks(case, folder, number=100):
     """The same on one rank and on four."""
     several = BodyCase(case, folder, "ranks4")
     case.solve()
     log = several.solve(4, (4, 1, 1))
-    assert "Bodies are spread over the ranks: 100" in log
+    assert f"Bodies are spread over the ranks: {number}" in log
     return check_ranks(case, several)
 
 
@@ -171,8 +179,7 @@ def test_held(tmp_path):
     [pytest.param("unresolved", marks=pytest.mark.nightly), "auto"],
 )
 def test_others_enter(coupling, tmp_path):
-    """Such that the mesh does not resolve; or it decides on that anew: as soon
-    as it resolves one, all ranks hold all."""
+    """Such that the mesh does not resolve; or it decides on that."""
     happened = run_on_ranks(
         place(
             deep_tube(tmp_path, 1), "type sphere; radius 0.3;",
@@ -184,6 +191,29 @@ def test_others_enter(coupling, tmp_path):
         ), tmp_path,
     )
     assert count(happened, "enters", "grain") >= 30
+
+
+def test_resolved_anew(tmp_path):
+    """Cells are longer and shorter in turn along the tube: bodies are resolved as
+    they come to the shorter ones, and no longer where they leave them."""
+    case = place(
+        deep_tube(tmp_path, 1, 2), "type sphere; radius 0.23;",
+        [(y, z) for y in (-0.6, 0.6) for z in (-0.6, 0.6)],
+        coupling="type auto;", outlet=AGAIN, injected={
+            "shape": "type sphere; radius 0.2;", "low": -0.02, "high": 0.02,
+            "injected": "",
+        },
+    )
+    happened = run_on_ranks(case, tmp_path, 200)
+    assert count(happened, "enters", "grain") >= 30
+    changes, as_many = (
+        re.findall(
+            r"Cells per width: (\d+) bodies resolved from now on, (\d+) no",
+            (path/"log.foamRun").read_text(),
+        ) for path in (case.path, tmp_path/"ranks4")
+    )
+    assert changes == as_many
+    assert (np.array(changes, int).sum(axis=0) > 10).all()
 
 
 def test_restart_is_exact(tmp_path):

@@ -9,6 +9,9 @@ import turbulentChannel
 from bodyCase import BodyCase
 from boxMesh import graded, uniform
 from foamCase import FoamError
+from openTube import open_tube
+from periodicTube import direct_pressure
+from spreadRuns import write_twice
 
 TRANSPOSED = "    div((nuEff*dev2(T(grad(U))))) Gauss linear;\n"
 FIXED = "motion { type fixed; }"
@@ -110,6 +113,39 @@ def test_ranks(tmp_path):
         forces.append(case.table("forces")["fluidForce_x"])
     # The processors meet in the middle of the cylinder
     assert np.abs(forces[1] - forces[0]).max() < 1e-4*forces[0].max()
+
+
+def test_many_on_ranks(tmp_path):
+    """So many that each rank holds those near to it: these are walls for the model
+    up to a width away, on other ranks as well."""
+    case = open_tube(tmp_path, "c", length=40)
+    direct_pressure(case)
+    case.replace("constant/transportProperties", "0.5;", "1e-3;")
+    turbulence.set_model(case)
+    case.replace(
+        "system/fvSchemes", "    default             none;\n",
+        f"    default             none;\n{TRANSPOSED}",
+    )
+    places = " ".join(
+        f"({0.8*i + 0.4:.12g} {y} 0)" for i in range(50) for y in (-0.5, 0.6)
+    )
+    case.bodies(f"""
+        disc
+        {{
+            shape       {{ type disc; radius 0.2; }}
+            motion      {{ type prescribed; velocity (0.3 0.05 0); }}
+            positions   ({places});
+        }}
+    """)
+    write_twice(case, 0.02, 20)
+    four = BodyCase(case, tmp_path, "four")
+    case.solve()
+    assert "Bodies are spread over the ranks: 100" in four.solve(4, (4, 1, 1))
+    forces, as_much = (
+        np.array([run.columns("forces")[f"fluidForce_{c}"] for c in "xy"])
+        for run in (case, four)
+    )
+    assert as_much == pytest.approx(forces, abs=1e-5*np.abs(forces).max())
 
 
 MOTION = "motion { type prescribed; velocity (0.3 0.11 0); }"

@@ -3,10 +3,7 @@
 #include "bodyWallDistance.H"
 #include "wallDist.H"
 
-Foam::scalar Foam::bodyWallDistance::range(const immersedBody& body)
-{
-    return 2*body.shape().boundingRadius();
-}
+const Foam::label Foam::bodyWallDistance::range;
 
 
 Foam::volScalarField& Foam::bodyWallDistance::distance() const
@@ -45,7 +42,7 @@ void Foam::bodyWallDistance::add(const bodyRegion& region, scalarField& y)
 {
     const immersedBody& body = bodies_[region.body()];
     const cellSearch& search = bodies_.region().search();
-    const scalar most = range(body);
+    const scalar most = 2*range*body.shape().boundingRadius();
     const labelList near
     (
         search.cellsAround

@@ -159,8 +159,7 @@ void Foam::flowSolvers::immersedFluid::addBodyWalls()
         return;
     }
 
-    // Distances are those from any body
-    bodies_.keepTogether();
+    bodies_.holdWithin(bodyWallDistance::range);
     bodyWalls_ = new fv::bodyWalls
     (
         bodies_,

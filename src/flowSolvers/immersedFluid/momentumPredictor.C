@@ -42,7 +42,10 @@ void Foam::flowSolvers::immersedFluid::momentumPredictor()
         correction_.complete(1/ddt.c);
     }
 
-    if (plan_.bandsSuffice() && solveInBands(ddt))
+    const bool inBands =
+        plan_.bandsSuffice() && bodies_.unresolved().placed();
+
+    if (inBands && solveInBands(ddt))
     {
         return;
     }

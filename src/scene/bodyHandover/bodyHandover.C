@@ -32,6 +32,7 @@ Foam::bodyHandover::bodyHandover
     outside_(0),
     wallMargin_(wallMargin),
     may_(may),
+    widthsAround_(0),
     look_(true),
     reported_(false)
 {}

@@ -19,19 +19,6 @@ const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 } // End anonymous namespace
 
 
-bool Foam::bodyHandover::decided() const
-{
-    bool all = true;
-
-    for (const immersedBody& body : bodies_)
-    {
-        all = all && (!body.resolved() || choice_.type(body) == "resolved");
-    }
-
-    return share_.all(all);
-}
-
-
 bool Foam::bodyHandover::allCan() const
 {
     const label nRanks = Pstream::nProcs();
@@ -53,7 +40,7 @@ bool Foam::bodyHandover::allCan() const
         }
     }
 
-    return decided();
+    return true;
 }
 
 

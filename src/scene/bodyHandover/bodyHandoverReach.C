@@ -15,21 +15,33 @@ const Foam::scalar spareWay = 0.25;
 
 Foam::scalar Foam::bodyHandover::reach(const immersedBody& body) const
 {
-    if (!body.resolved())
+    const bool open = choice_.type(body) == "auto";
+    const scalar unresolved = open || !body.resolved()
+      ? kernels_.radius(body, search_.hMax())
+      : 0;
+
+    if (!open && !body.resolved())
     {
-        return kernels_.radius(body, search_.hMax());
+        return unresolved;
     }
 
+    const scalar R = body.shape().boundingRadius();
+    const scalar around = max
+    (
+        comovingDerivative::farthestReach(body), 2*widthsAround_*R
+    );
+
     // Faces belong to cells on both sides
-    return search_.hMax() + max
+    const scalar resolved = search_.hMax() + max
     (
         bodyRegion::reach
         (
             body, region_.resistance().bandWidth(), search_.hMax()
         ),
-        body.shape().boundingRadius()
-          + comovingDerivative::farthestReach(body)
+        R + around
     );
+
+    return max(unresolved, resolved);
 }
 
 

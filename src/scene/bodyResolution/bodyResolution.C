@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyResolution.H"
+#include "bodyShare.H"
 #include "compat.H"
 #include "profiling.H"
 
@@ -103,15 +104,14 @@ void Foam::bodyResolution::replace()
 
 bool Foam::bodyResolution::anyAuto() const
 {
+    bool any = false;
+
     for (const immersedBody& body : bodies_)
     {
-        if (choice().type(body) == "auto")
-        {
-            return true;
-        }
+        any = any || choice().type(body) == "auto";
     }
 
-    return false;
+    return bodies_.share().any(any);
 }
 
 
@@ -144,24 +144,12 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
         }
     }
 
-    compat::allReduce(sizes, maxEqOp<scalar>());
+    bodies_.share().combine
+    (
+        identity(sizes.size()), 1, sizes, maxEqOp<scalar>()
+    );
 
     return sizes;
-}
-
-
-bool Foam::bodyResolution::anyToResolve() const
-{
-    bool any = false;
-
-    forAll(bodies_, bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
-
-        any = any || (!body.resolved() && choice().resolves(body, h_[bodyi]));
-    }
-
-    return returnReduce(any, orOp<bool>());
 }
 
 
@@ -174,8 +162,10 @@ void Foam::bodyResolution::select(volVectorField& U)
 
     addProfiling(select, "immersedBodies::selectCoupling");
 
+    const bodyShare& share = bodies_.share();
     const scalarField sizes(localCellSizes());
-    DynamicList<label> resolved, unresolved;
+    DynamicList<label> resolved;
+    Pair<label> changed(0, 0);
 
     forAll(bodies_, bodyi)
     {
@@ -194,14 +184,21 @@ void Foam::bodyResolution::select(volVectorField& U)
         if (resolve != body.resolved())
         {
             body.status().setResolved(resolve);
-            (resolve ? resolved : unresolved).append(bodyi);
+            (resolve ? changed.first() : changed.second()) += share.mine(bodyi);
+            if (resolve)
+            {
+                resolved.append(bodyi);
+            }
         }
     }
 
-    if (resolved.size() || unresolved.size())
+    changed.first() = share.total(changed.first());
+    changed.second() = share.total(changed.second());
+
+    if (changed != Pair<label>(0, 0))
     {
-        Info<< "Cells per width: " << resolved.size()
-            << " bodies resolved from now on, " << unresolved.size()
+        Info<< "Cells per width: " << changed.first()
+            << " bodies resolved from now on, " << changed.second()
             << " no longer" << endl;
 
         replace();

@@ -271,6 +271,12 @@ Foam::scalar Foam::immersedBodies::cellsOnTheWay(const bool resolved) const
 }
 
 
+void Foam::immersedBodies::holdWithin(const scalar widths)
+{
+    handover_->holdWithin(widths);
+}
+
+
 bool Foam::immersedBodies::unite()
 {
     const bool done = handover_->unite();

@@ -95,6 +95,10 @@ void Foam::immersedBodies::predict
     {
         unresolved_->update();
     }
+    else if (extended)
+    {
+        unresolved_->outdate();
+    }
 }
 
 
@@ -160,22 +164,8 @@ bool Foam::immersedBodies::endStep()
 void Foam::immersedBodies::enter(volVectorField& U)
 {
     // A body that is due at the end of the step must not miss it by rounding
-    const bool undecided =
-        traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U)
-     && !handover_->decided();
-
-    if
-    (
-        bodies_.share().spread()
-     && (undecided || resolution_->anyToResolve())
-    )
-    {
-        unite();
-    }
-    if (!bodies_.share().spread())
-    {
-        resolution_->select(U);
-    }
+    traffic_->enter(clock_ + 1e-6*mesh_.time().deltaTValue(), U);
+    resolution_->select(U);
 }
 
 

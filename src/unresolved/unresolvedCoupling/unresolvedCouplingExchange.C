@@ -108,7 +108,7 @@ void Foam::unresolvedCoupling::correct
     const List<fluidSample> samples(sample(bodies));
 
     // With resolved bodies further iterations may come, see follow()
-    const bool keep = nUnresolved() < bodies.size();
+    const bool keep = kernels_.anyResolved();
 
     if (keep)
     {
