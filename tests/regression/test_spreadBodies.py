@@ -182,7 +182,9 @@ def test_same_on_several_ranks(shares, tmp_path):
     assert re.findall("startPosition .*", as_good) == anchors
 
 
-@pytest.mark.parametrize("model", PROJECTIONS)
+@pytest.mark.parametrize("model", [
+    pytest.param("inelastic", marks=pytest.mark.nightly), "viscous",
+])
 def test_projection(model, tmp_path):
     """Contact of all at once, of bodies of several ranks as well."""
     one, several = check_ranks(
@@ -268,6 +270,7 @@ def test_window(tmp_path):
     assert as_far == pytest.approx(way, abs=1e-8)
 
 
+@pytest.mark.nightly
 def test_walls(tmp_path):
     """Rough ones; a rank finds those beside its bodies, among them walls of
     other ranks, and knows how often a body has met them. A plane of symmetry,

@@ -32,7 +32,7 @@ void Foam::contactMovers::findPairs
 {
     for (const closePairs::pair& p : close)
     {
-        const bool needed = share_.mine(p.a) || share_.mine(p.b);
+        const bool needed = ranks_.mine(p.a) || ranks_.mine(p.b);
 
         if (needed && (bodies[p.a].isFree() || bodies[p.b].isFree()))
         {
@@ -50,7 +50,7 @@ void Foam::contactMovers::findPairs
 
     forAll(bodies, i)
     {
-        if (share_.mine(i) && bodies[i].isFree() && walls.beside(i))
+        if (ranks_.mine(i) && bodies[i].isFree() && walls.beside(i))
         {
             pair found;
 
@@ -102,7 +102,7 @@ bool Foam::contactMovers::within(UList<scalar>& furthest) const
         }
     });
 
-    return spread() ? returnReduce(all, andOp<bool>()) : all;
+    return ranks_.spread() ? returnReduce(all, andOp<bool>()) : all;
 }
 
 
@@ -134,9 +134,12 @@ bool Foam::contactMovers::search
     }
 
     const DynamicList<closePairs::pair>& close =
-        near_.find(centres, radii, spare, periods, share_);
+        near_.find(centres, radii, spare, periods, ranks_.share());
 
-    walls.update(centres, reach, periods, spread() ? held_ : nullptr);
+    walls.update
+    (
+        centres, reach, periods, ranks_.spread() ? &ranks_.held() : nullptr
+    );
 
     clear();
     movers_.clear();
@@ -158,7 +161,7 @@ bool Foam::contactMovers::search
         append(contactMover(bodies, bodyi, dt));
     }
 
-    if (shared())
+    if (ranks_.shared())
     {
         connect();
         return returnReduce(pairs_.size(), sumOp<label>()) > 0;

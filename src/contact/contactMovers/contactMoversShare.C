@@ -1,64 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactMovers.H"
-#include "exchange.H"
-
-void Foam::contactMovers::share
-(
-    const PtrList<immersedBody>& bodies,
-    const bool allowed
-)
-{
-    share_.clear();
-
-    if (spread())
-    {
-        share_.divide(held_->owners());
-        return;
-    }
-
-    if (!allowed || !Pstream::parRun())
-    {
-        return;
-    }
-
-    pointField centres(bodies.size());
-
-    forAll(centres, i)
-    {
-        centres[i] = bodies[i].motion().old().position;
-    }
-    share_.divide(centres);
-}
-
-
-Foam::labelHashSet Foam::contactMovers::recorded
-(
-    const labelHashSet& numbers
-) const
-{
-    if (!shared())
-    {
-        return numbers;
-    }
-
-    labelHashSet mine;
-
-    for (const label number : numbers)
-    {
-        // A slab has the records of all
-        const bool counts =
-            spread() ? held_->mine(held_->find(number)) : Pstream::master();
-
-        if (counts)
-        {
-            mine.insert(number);
-        }
-    }
-
-    return mine;
-}
-
 
 void Foam::contactMovers::connect()
 {
@@ -72,11 +14,11 @@ void Foam::contactMovers::connect()
         }
     }
 
-    exchange_.connect(bodies, share_, numbers_);
+    exchange_.connect(bodies, ranks_.share(), numbers_);
 
-    if (spread())
+    if (ranks_.spread())
     {
-        exchange_.agree(*held_, numbers_, *this);
+        exchange_.agree(ranks_.held(), numbers_, *this);
     }
 }
 
@@ -87,7 +29,7 @@ void Foam::contactMovers::exchangeVelocities
     const label subStep
 )
 {
-    if (shared())
+    if (ranks_.shared())
     {
         exchange_.exchange(touched, subStep, *this);
     }
@@ -145,7 +87,7 @@ bool Foam::contactMovers::diverted(const contactMover& m)
 
 void Foam::contactMovers::collect()
 {
-    if (!shared())
+    if (!ranks_.shared())
     {
         return;
     }
@@ -154,138 +96,10 @@ void Foam::contactMovers::collect()
 
     for (const contactMover& m : *this)
     {
-        if (share_.mine(m.body) && diverted(m))
+        if (ranks_.mine(m.body) && diverted(m))
         {
             mine.append(outcomeOf(m));
         }
     }
-    outcomes_ = gather(mine);
-}
-
-
-Foam::List<Foam::contactMovers::outcome> Foam::contactMovers::gather
-(
-    const UList<outcome>& mine
-) const
-{
-    if (!spread())
-    {
-        return gatherAll(mine);
-    }
-
-    List<DynamicList<outcome>> send(Pstream::nProcs());
-
-    for (const outcome& one : mine)
-    {
-        outcome keyed(one);
-
-        keyed.body = held_->key(one.body);
-        send[Pstream::myProcNo()].append(keyed);
-        for (const label rank : held_->others(one.body))
-        {
-            send[rank].append(keyed);
-        }
-    }
-
-    DynamicList<outcome> all;
-
-    for (const List<outcome>& received : exchangeLists(send))
-    {
-        for (outcome one : received)
-        {
-            one.body = held_->find(one.body);
-            all.append(one);
-        }
-    }
-
-    return List<outcome>(std::move(all));
-}
-
-
-Foam::vectorList Foam::contactMovers::sendToOwners
-(
-    const UList<labelPair>& numbers,
-    const UList<vector>& packed
-) const
-{
-    const label n = numbers.empty() ? 0 : packed.size()/numbers.size();
-    List<DynamicList<vector>> send(Pstream::nProcs());
-
-    forAll(numbers, i)
-    {
-        const bool wall = numbers[i].second() < 0;
-        const label a = held_->find(numbers[i].first());
-        const label b = wall ? a : held_->find(numbers[i].second());
-
-        if (a < 0 || b < 0)
-        {
-            // It has left the mesh
-            continue;
-        }
-
-        const label first = held_->owner(a), second = held_->owner(b);
-        const SubList<vector> one(packed, n, n*i);
-
-        send[first].append(one);
-        if (second != first)
-        {
-            send[second].append(one);
-        }
-    }
-
-    DynamicList<vector> all;
-
-    for (const List<vector>& received : exchangeLists(send))
-    {
-        all.append(received);
-    }
-
-    return vectorList(std::move(all));
-}
-
-
-Foam::vectorList Foam::contactMovers::keep
-(
-    const UList<labelPair>& numbers,
-    const UList<vector>& packed
-) const
-{
-    if (spread())
-    {
-        return sendToOwners(numbers, packed);
-    }
-    if (shared())
-    {
-        return gatherAll<vector>(packed);
-    }
-
-    vectorList kept(packed);
-
-    if (Pstream::parRun())
-    {
-        // As the states of the bodies: the copies must not drift apart
-        compat::broadcast(kept);
-    }
-
-    return kept;
-}
-
-
-Foam::scalar Foam::contactMovers::mean(const UList<scalar>& values) const
-{
-    vector2D sums(Zero);
-
-    forAll(values, i)
-    {
-        if (!spread() || held_->mine(i))
-        {
-            sums += vector2D(values[i], 1);
-        }
-    }
-    if (spread())
-    {
-        reduce(sums, sumOp<vector2D>());
-    }
-
-    return sums.x()/max(sums.y(), scalar(1));
+    outcomes_ = ranks_.gather(mine);
 }

@@ -75,17 +75,18 @@ void Foam::filmTurns::findCrossings()
     {
         const contactMovers::pair& p = movers_.pairs()[pairs_[filmi]];
 
-        if (p.b < 0 || (movers_.isMine(p.a) && movers_.isMine(p.b)))
+        if (p.b < 0 || (isMine(p.a) && isMine(p.b)))
         {
             continue;
         }
 
-        const label other = movers_.isMine(p.a) ? p.b : p.a;
+        const label other = isMine(p.a) ? p.b : p.a;
         const labelPair& numbers = numbers_[pairs_[filmi]];
 
         crossings_[filmi] = crossing
         {
-            other, movers_.owner(other), false, false, false, Zero, Zero
+            other, movers_.ranks().share().owner(movers_[other].body),
+            false, false, false, Zero, Zero
         };
         ofBodies_[{numbers.first(), numbers.second()}].append(filmi);
     }
@@ -202,7 +203,7 @@ Foam::labelList Foam::filmTurns::pass
         // Those of other ranks are held there
         for (const label moveri : {p.a, p.b})
         {
-            if (moveri >= 0 && movers_.isMine(moveri))
+            if (moveri >= 0 && isMine(moveri))
             {
                 held.set(moveri);
             }
@@ -218,7 +219,7 @@ void Foam::filmTurns::go(const labelUList& pairs, const action& act)
 {
     pairs_ = pairs;
 
-    if (!movers_.spread())
+    if (!movers_.ranks().spread())
     {
         for (const label filmi : order())
         {

@@ -10,12 +10,12 @@ void Foam::historyContact<Record>::begin
     const bool share
 )
 {
-    movers_.share(bodies, share);
+    movers_.ranks().divide(bodies, share);
     history_.clear();
     energy_ = contactEnergy();
 
     // Of what is shared each rank has a part
-    if (!movers_.shared() || Pstream::master())
+    if (!movers_.ranks().shared() || Pstream::master())
     {
         energy_ = oldEnergy_;
         energy_.normalSprings = energy_.tangentialSprings = 0;
@@ -23,7 +23,7 @@ void Foam::historyContact<Record>::begin
 
     const labelHashSet held(asleep(bodies));
 
-    history_.append(old_, movers_.recorded(held), held);
+    history_.append(old_, movers_.ranks().recorded(held), held);
     meetings_.clear();
     movers_.pairs().clear();
 }
@@ -68,7 +68,7 @@ void Foam::historyContact<Record>::findMeetings
 template<class Record>
 void Foam::historyContact<Record>::sumEnergy()
 {
-    if (!movers_.shared())
+    if (!movers_.ranks().shared())
     {
         return;
     }
@@ -126,9 +126,9 @@ void Foam::historyContact<Record>::endStep()
     {
         numbers.append(r.bodies);
     }
-    old_.unpack(movers_.keep(numbers, history_.pack()));
+    old_.unpack(movers_.ranks().keep(numbers, history_.pack()));
 
-    if (movers_.spread())
+    if (movers_.ranks().spread())
     {
         // Places of bodies in their list are others from now on
         movers_.pairs().clear();
@@ -160,7 +160,7 @@ Foam::historyContact<Record>::moments(const scalar dt) const
         }
     }
 
-    if (movers_.shared())
+    if (movers_.ranks().shared())
     {
         all = gatherAll(all);
     }

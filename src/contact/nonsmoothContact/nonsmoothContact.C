@@ -20,7 +20,6 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
     (
         movers_, tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)
     ),
-    wayWanted_(0),
     told_(false)
 {
     keywords::check
@@ -77,10 +76,9 @@ void Foam::contactModels::nonsmoothContact::advance
 {
     // One that is hit may go as far as the fastest
     const scalar furthest =
-        2*movers_.largest(contactMovers::ways(bodies, dt, meshU));
+        2*movers_.ranks().largest(contactMovers::ways(bodies, dt, meshU));
 
-    wayWanted_ = furthest > movers_.mostWay() ? furthest : 0;
-    if (wayWanted_ > 0)
+    if (beyondReach(furthest))
     {
         return;
     }

@@ -38,7 +38,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::smallestHalfWidth
         width = min(width, bodies[m.body].shape().width());
     }
 
-    return -0.5*movers_.largest(-width);
+    return -0.5*movers_.ranks().largest(-width);
 }
 
 
@@ -86,7 +86,7 @@ Foam::scalar Foam::contactModels::nonsmoothContact::addOverlaps
         }
     }
 
-    return movers_.largest(largest);
+    return movers_.ranks().largest(largest);
 }
 
 

@@ -99,7 +99,7 @@ Foam::label Foam::contactModels::nonsmoothContact::nParts
         most = max(most, 4*dt*speed/shape.width());
     }
 
-    return max(label(1), label(ceil(movers_.largest(most))));
+    return max(label(1), label(ceil(movers_.ranks().largest(most))));
 }
 
 

@@ -31,7 +31,6 @@ Foam::contactModels::softSphere::softSphere
     touches_(law_(), movers_, meetings_),
     films_(lubrication, movers_),
     slideSpeed_(0),
-    wayWanted_(0),
     advanced_(false)
 {
     wordList ours
@@ -190,8 +189,6 @@ void Foam::contactModels::softSphere::advance
     const vector& meshU
 )
 {
-    wayWanted_ = 0;
-
     // Those that were hit and went further than the search has known may have
     // met others
     scalarField furthest(likelyWays(bodies, dt, meshU));
@@ -199,11 +196,8 @@ void Foam::contactModels::softSphere::advance
 
     do
     {
-        const scalar most = movers_.largest(furthest);
-
-        if (most > movers_.mostWay())
+        if (beyondReach(movers_.ranks().largest(furthest)))
         {
-            wayWanted_ = most;
             return;
         }
         any = goThrough(bodies, h, walls, periods, dt, meshU, furthest);
@@ -217,14 +211,6 @@ void Foam::contactModels::softSphere::advance
     }
     sumEnergy();
     advanced_ = true;
-}
-
-
-bool Foam::contactModels::softSphere::follow(const bodyShare& share)
-{
-    movers_.follow(share);
-
-    return true;
 }
 
 

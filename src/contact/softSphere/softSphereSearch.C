@@ -10,8 +10,8 @@ Foam::scalarField Foam::contactModels::softSphere::likelyWays
 )
 {
     scalarField lengths(contactMovers::ways(bodies, dt, meshU));
-    const scalar mean = movers_.mean(lengths);
-    const scalar largest = movers_.largest(lengths.empty() ? 0 : max(lengths));
+    const scalar mean = movers_.ranks().mean(lengths);
+    const scalar largest = movers_.ranks().largest(lengths);
 
     // One that is hit may go as far as the fastest, which costs little where
     // that is less than a radius
@@ -156,7 +156,7 @@ Foam::scalar Foam::contactModels::softSphere::shortestTime
         }
     }
 
-    return movers_.shared()
+    return movers_.ranks().shared()
       ? returnReduce(shortest, minOp<scalar>())
       : shortest;
 }

@@ -134,7 +134,7 @@ void Foam::wallRoughness::endStep(const contactMovers& movers)
 
     // Those that meet the wall elsewhere are behind
     old_.clear();
-    for (const vector& one : movers.keep(bodies, packed))
+    for (const vector& one : movers.ranks().keep(bodies, packed))
     {
         label& n = old_(label(one.x()), 0);
 

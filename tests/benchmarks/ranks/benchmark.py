@@ -28,8 +28,7 @@ PARTS = {1: (1, 1, 1), 2: (2, 1, 1), 4: (2, 2, 1), 8: (2, 2, 2),
 CUBES = {1: 32, 2: 40, 4: 50, 8: 64, 16: 80}
 QUICK = (1, 2, 4)
 FRACTION, CELLS = 0.147, 8
-# Cells per side of the cubes of a row, one per rank, and contact that lets ranks
-# have their own spheres
+# Cells per side of the cubes of a row, one per rank, and its contact
 IN_ROW = 32
 SPRINGS = "type softSphere; collisionTime {dt:.12g};"
 # Grains per rank, with as many cells as 32^3
