@@ -215,6 +215,40 @@ Foam::labelList Foam::filmTurns::pass
 }
 
 
+Foam::vector2D Foam::filmTurns::turn
+(
+    labelList& waiting,
+    const action& act
+)
+{
+    List<DynamicList<message>> send(Pstream::nProcs());
+    label moves = waiting.size();
+
+    waiting = pass(waiting, act, send);
+    moves -= waiting.size();
+
+    for (const DynamicList<message>& toRank : send)
+    {
+        moves += toRank.size();
+    }
+    exchange
+    (
+        send,
+        [](crossing& c, const message& m)
+        {
+            c.heard = true;
+            c.U = m.U;
+            c.omega = m.omega;
+        }
+    );
+
+    return returnReduce
+    (
+        vector2D(waiting.size(), moves), sumOp<vector2D>()
+    );
+}
+
+
 void Foam::filmTurns::go(const labelUList& pairs, const action& act)
 {
     pairs_ = pairs;
@@ -231,7 +265,7 @@ void Foam::filmTurns::go(const labelUList& pairs, const action& act)
     findCrossings();
     agree();
 
-    DynamicList<label> waiting(pairs.size());
+    DynamicList<label> known(pairs.size());
 
     for (const label filmi : order())
     {
@@ -239,10 +273,11 @@ void Foam::filmTurns::go(const labelUList& pairs, const action& act)
 
         if (across == crossings_.end() || across->second.known)
         {
-            waiting.append(filmi);
+            known.append(filmi);
         }
     }
 
+    labelList waiting(std::move(known));
     vector2D left(1, 1);
 
     while (left.x() > 0)
@@ -253,32 +288,7 @@ void Foam::filmTurns::go(const labelUList& pairs, const action& act)
                 << "Films between bodies of several ranks wait for each other"
                 << nl << exit(FatalError);
         }
-
-        List<DynamicList<message>> send(Pstream::nProcs());
-        const label n = waiting.size();
-
-        waiting = pass(waiting, act, send);
-
-        label moves = n - waiting.size();
-
-        for (const DynamicList<message>& toRank : send)
-        {
-            moves += toRank.size();
-        }
-        exchange
-        (
-            send,
-            [](crossing& c, const message& m)
-            {
-                c.heard = true;
-                c.U = m.U;
-                c.omega = m.omega;
-            }
-        );
-        left = returnReduce
-        (
-            vector2D(waiting.size(), moves), sumOp<vector2D>()
-        );
+        left = turn(waiting, act);
     }
 
     movers_.giveVelocities();
