@@ -12,7 +12,7 @@ import refusals
 from bodyCase import BodyCase
 from boxMesh import uniform
 from contactCase import box2d, conditions, contact, discs
-from spreadRuns import write_twice
+from spreadRuns import run_in_parts, write_twice
 
 G = 10
 SLEEP = "sleep { speed 0.03; }"
@@ -146,6 +146,18 @@ def test_sleep_is_the_same_where_bodies_are_spread(tmp_path):
         case.columns("motion")["position_y"][-80:] for case in (one, four)
     )
     assert as_near == pytest.approx(end, abs=1e-4)
+
+
+@pytest.mark.nightly
+def test_restart_is_exact_where_bodies_are_spread(tmp_path):
+    at_once = long_heap(tmp_path)
+    parts = run_in_parts(at_once, tmp_path, 0.005, 240, (4, 1, 1))
+
+    half = progress(at_once)[120:]
+    assert max(asleep for asleep, _ in half) > 20
+    assert progress(parts) == half
+    a, b = (case.columns("motion")["position_y"] for case in (at_once, parts))
+    assert np.max(np.abs(a - b)) < 1e-10
 
 
 def test_what_falls_on_a_sleeper_wakes_it(tmp_path):

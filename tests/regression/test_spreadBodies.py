@@ -297,8 +297,13 @@ def test_sliding_sides(tmp_path):
     assert (np.abs(y[1] - y[0]) > WIDTH/2).any()
 
 
-def test_restart_is_exact(tmp_path):
-    at_once = crowd(tmp_path)
+@pytest.mark.parametrize("more, contact", [
+    ("", SPRINGS),
+    pytest.param("", PROJECTIONS["viscous"], marks=pytest.mark.nightly),
+    pytest.param(FILMS, SPRINGS, marks=pytest.mark.nightly),
+])
+def test_restart_is_exact(more, contact, tmp_path):
+    at_once = crowd(tmp_path, (12, 0, 1), more, contact=contact)
     parts = run_in_parts(at_once, tmp_path, STEP, STEPS, (4, 1, 1))
 
     # The sums of fastPoisson may differ in the last bit from run to run

@@ -12,14 +12,9 @@ Foam::contactModels::nonsmoothContact::nonsmoothContact
     historyContact<contactMultiplier>("contactMultipliers"),
     tolerance_(keywords::positiveOr(dict, "tolerance", 1e-8)),
     largestOverlap_(keywords::positiveOr(dict, "largestOverlap", 0.1)),
-    wholeProjection_
-    (
-        tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)
-    ),
-    sharedProjection_
-    (
-        movers_, tolerance_, dict.lookupOrDefault<label>("maxIter", 1000)
-    ),
+    maxIter_(dict.lookupOrDefault<label>("maxIter", 1000)),
+    wholeProjection_(tolerance_, maxIter_),
+    sharedProjection_(movers_, tolerance_, maxIter_),
     told_(false)
 {
     keywords::check

@@ -15,33 +15,31 @@ const Foam::scalar spareWay = 0.25;
 
 Foam::scalar Foam::bodyHandover::reach(const immersedBody& body) const
 {
-    const bool open = choice_.type(body) == "auto";
-    const scalar unresolved = open || !body.resolved()
-      ? kernels_.radius(body, search_.hMax())
-      : 0;
+    // It may become the other
+    const bool both = choice_.type(body) == "auto";
+    scalar most = 0;
 
-    if (!open && !body.resolved())
+    if (both || !body.resolved())
     {
-        return unresolved;
+        most = kernels_.radius(body, search_.hMax());
     }
-
-    const scalar R = body.shape().boundingRadius();
-    const scalar around = max
-    (
-        comovingDerivative::farthestReach(body), 2*widthsAround_*R
-    );
-
-    // Faces belong to cells on both sides
-    const scalar resolved = search_.hMax() + max
-    (
-        bodyRegion::reach
+    if (both || body.resolved())
+    {
+        const scalar R = body.shape().boundingRadius();
+        const scalar band = bodyRegion::reach
         (
             body, region_.resistance().bandWidth(), search_.hMax()
-        ),
-        R + around
-    );
+        );
+        const scalar around = max
+        (
+            comovingDerivative::farthestReach(body), 2*widthsAround_*R
+        );
 
-    return max(unresolved, resolved);
+        // Faces belong to cells on both sides
+        most = max(most, search_.hMax() + max(band, R + around));
+    }
+
+    return most;
 }
 
 
