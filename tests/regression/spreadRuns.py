@@ -1,14 +1,45 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in which ranks have their own bodies."""
 
+from xml.etree import ElementTree
+
 import numpy as np
 
 from bodyCase import BodyCase
 
+# A function object that needs all bodies on all ranks in each time step
+TOGETHER = """functions
+{
+    averages
+    {
+        type    bodyAverages;
+        libs    (immersedBodyFunctionObjects);
+        kernel  { type topHat; radius 1; }
+    }
+"""
+SURFACES = """functions
+{
+    surfaces
+    {
+        type    immersedBodySurfaces;
+        libs    (immersedBodyFunctionObjects);
+        writeControl writeTime;
+    }
+"""
+
+
+def surfaces(case):
+    """Arrays of the surfaces at all times."""
+    return [
+        np.array(array.text.split(), float)
+        for file in sorted(case.path.glob("postProcessing/surfaces/*.vtp"))
+        for array in ElementTree.parse(file).iter("DataArray")
+    ]
+
 
 def write_twice(case, step, steps):
-    """Run so many steps, and write in the middle and at the end: also tables,
-    or all ranks would hold all bodies in each time step."""
+    """Run so many steps, and write in the middle and at the end, tables as
+    well."""
     case.controls(
         deltaT=step, endTime=step*steps, writeControl="timeStep",
         writeInterval=steps//2, writeFormat="ascii", writePrecision=17,

@@ -15,7 +15,9 @@ from contactCase import box2d, discs
 from periodicBox import SIDES, set_fields
 from periodicTube import direct_pressure
 from slidingBox import centres, set_velocity, sliding_box
-from spreadRuns import motions, run_in_parts, write_twice
+from spreadRuns import (
+    SURFACES, TOGETHER, motions, run_in_parts, surfaces, write_twice,
+)
 
 LENGTH, WIDTH, CELLS = 50, 8, 8
 ALONG, ACROSS = 40, 5
@@ -240,12 +242,10 @@ def test_films(tmp_path):
 ])
 def test_projected_heap(model, tmp_path):
     """As many contacts at once, found by each rank for its own discs, move them
-    as they do where all ranks have all, in the same flow: tables that are
-    written in each time step keep them together."""
+    as they do where all ranks have all, in the same flow."""
     spread = heap(tmp_path, PROJECTIONS[model])
     together = BodyCase(spread, tmp_path, "together")
-    path = together.path/"system/controlDict"
-    path.write_text(path.read_text().replace("writeTime;", "timeStep;"))
+    together.replace("system/controlDict", "functions\n{", TOGETHER)
     log, _ = (case.solve(4, (4, 1, 1)) for case in (spread, together))
     assert "Bodies are spread over the ranks: 189" in log
     assert "complementarity" not in log
@@ -288,6 +288,34 @@ def test_walls(tmp_path):
         for case, part in ((one, "."), (several, "processor0"))
     )
     assert len(impacts) > 20 and as_many == impacts
+
+
+def test_files(tmp_path):
+    """State, tables and surfaces have all bodies in the order of their numbers,
+    and the master alone writes them; it is told of some at a time."""
+    case = crowd(tmp_path, (1, 1))
+    case.replace("system/controlDict", "functions\n{", SURFACES)
+    case.controls(endTime=STEP, writeInterval=1)
+    one, several = (BodyCase(case, tmp_path, name) for name in ("one", "four"))
+    one.solve(1)
+    assert "Bodies are spread over the ranks" in several.solve(4, (4, 1, 1))
+
+    table, same = (case.columns("motion") for case in (one, several))
+    times = np.unique(table["time"])
+    numbers = len(times)*list(range(200))
+    assert list(same["body"]) == list(table["body"]) == numbers
+    assert same["position_x"] == pytest.approx(table["position_x"], rel=1e-6)
+
+    arrays, as_many = surfaces(one), surfaces(several)
+    assert len(arrays) == len(as_many) == 10*(1 + len(times))
+    for array, same in zip(arrays, as_many):
+        assert same == pytest.approx(array, rel=1e-4, abs=1e-4)
+
+    states = [state_of(several, f"processor{rank}") for rank in range(4)]
+    assert [state.count("number ") for state in states] == [200, 0, 0, 0]
+    names = re.findall(r"\n    (kind\S+)\n", state_of(one, "."))
+    assert len(names) == 200
+    assert re.findall(r"\n    (kind\S+)\n", states[0]) == names
 
 
 def test_sliding_sides(tmp_path):

@@ -217,9 +217,9 @@ def test_a_run_stops(speed, contact, message, tmp_path):
     assert message in log
     assert "The state has been written" in log
 
-    time = case.latest_time("processor3")
+    time = case.latest_time("processor0")
     assert float(time) > 0
     state = (
-        case.path/"processor3"/time/"uniform/immersedBodies"
+        case.path/"processor0"/time/"uniform/immersedBodies"
     ).read_text()
     assert state.count("number ") == 2200

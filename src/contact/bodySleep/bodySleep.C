@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodySleep.H"
+#include "bodiesInOrder.H"
 #include "checkKeywords.H"
 
 namespace
@@ -173,20 +174,24 @@ void Foam::bodySleep::writeState(Ostream& os) const
 
     os.beginBlock("rests");
 
-    forAll(bodies_, bodyi)
-    {
-        const rest& known = rests_()[bodyi];
-
-        if (known.nSlow > 0)
+    bodiesInOrder::write
+    (
+        bodies_, os,
+        [&](Ostream& os, const label bodyi)
         {
-            os.beginBlock(keyOf(bodies_[bodyi]));
-            os.writeEntry("slow", known.nSlow);
-            os.writeEntry("time", known.time);
-            os.writeEntry("velocity", known.U);
-            os.writeEntry("force", known.force);
-            os.endBlock();
+            const rest& known = rests_()[bodyi];
+
+            if (known.nSlow > 0)
+            {
+                os.beginBlock(keyOf(bodies_[bodyi]));
+                os.writeEntry("slow", known.nSlow);
+                os.writeEntry("time", known.time);
+                os.writeEntry("velocity", known.U);
+                os.writeEntry("force", known.force);
+                os.endBlock();
+            }
         }
-    }
+    );
 
     os.endBlock();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "historyContact.H"
+#include "bodiesInOrder.H"
 #include "exchange.H"
 
 template<class Record>
@@ -189,9 +190,33 @@ void Foam::historyContact<Record>::writeState(Ostream& os) const
     // As text, whatever the format
     os.writeKeyword(keyword_) << token::BEGIN_LIST;
 
-    for (const vector& v : old_.pack())
+    const auto writePacked = [](Ostream& os, const UList<vector>& packed)
     {
-        os  << token::SPACE << v;
+        for (const vector& v : packed)
+        {
+            os  << token::SPACE << v;
+        }
+    };
+
+    if (movers_.ranks().spread())
+    {
+        const bodyList& bodies = movers_.ranks().held().bodies();
+
+        bodiesInOrder::write
+        (
+            bodies, os,
+            [&](Ostream& os, const label bodyi)
+            {
+                writePacked
+                (
+                    os, old_.pack(old_.ofFirst(bodies[bodyi].number()))
+                );
+            }
+        );
+    }
+    else
+    {
+        writePacked(os, old_.pack());
     }
     os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
 

@@ -254,7 +254,7 @@ void Foam::contactModels::softSphere::readState(const dictionary& dict)
 void Foam::contactModels::softSphere::writeState(Ostream& os) const
 {
     historyContact<springRecord>::writeState(os);
-    roughness_.writeState(os);
+    roughness_.writeState(os, movers_.ranks());
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallRoughness.H"
+#include "bodiesInOrder.H"
 #include "keyedRandom.H"
 #include "labelList.H"
 #include "mathematicalConstants.H"
@@ -159,9 +160,13 @@ void Foam::wallRoughness::readState(const dictionary& dict)
 }
 
 
-void Foam::wallRoughness::writeState(Ostream& os) const
+void Foam::wallRoughness::writeState
+(
+    Ostream& os,
+    const moverRanks& ranks
+) const
 {
-    if (old_.empty())
+    if (!ranks.spread() && old_.empty())
     {
         return;
     }
@@ -169,9 +174,35 @@ void Foam::wallRoughness::writeState(Ostream& os) const
     // As text, whatever the format
     os.writeKeyword("wallImpacts") << token::BEGIN_LIST;
 
-    for (const label body : old_.sortedToc())
+    const auto writeCount = [&](Ostream& os, const label number)
     {
-        os  << token::SPACE << body << token::SPACE << old_[body];
+        const auto iter = old_.cfind(number);
+
+        if (iter.found())
+        {
+            os  << token::SPACE << number << token::SPACE << iter();
+        }
+    };
+
+    if (ranks.spread())
+    {
+        const bodyList& bodies = ranks.held().bodies();
+
+        bodiesInOrder::write
+        (
+            bodies, os,
+            [&](Ostream& os, const label bodyi)
+            {
+                writeCount(os, bodies[bodyi].number());
+            }
+        );
+    }
+    else
+    {
+        for (const label number : old_.sortedToc())
+        {
+            writeCount(os, number);
+        }
     }
     os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
 }

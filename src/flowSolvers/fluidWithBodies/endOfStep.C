@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidWithBodies.H"
+#include "bodiesInOrder.H"
 #include "bodyContacts.H"
 #include "bodyProperties.H"
 
@@ -64,7 +65,6 @@ void Foam::flowSolvers::fluidWithBodies::stop
 
     if (stepped)
     {
-        bodies_.unite();
         runTime_.writeNow();
         bodies_.bodyFraction()->write();
 
@@ -188,7 +188,6 @@ void Foam::flowSolvers::fluidWithBodies::endIfSteady()
     if (steady.steady())
     {
         Info<< "Steady after " << nSteps << " steps" << endl;
-        bodies_.unite();
         runTime_.writeAndEnd();
     }
     else if (left < 0.5*runTime_.deltaTValue())
@@ -246,13 +245,18 @@ void Foam::flowSolvers::fluidWithBodies::check()
         << returnReduce(bodies_.region().cells().size(), sumOp<label>()) << nl
         << "    body    width/h    density ratio    position    velocity" << nl;
 
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
+    bodiesInOrder::write
+    (
+        bodies_.list(), Info,
+        [&](Ostream& os, const label bodyi)
+        {
+            const immersedBody& body = bodies_[bodyi];
 
-        Info<< "    " << body.name() << "    " << bodies_.cellsPerWidth(bodyi)
-            << "    " << body.densityRatio() << "    "
-            << body.state().position << "    " << body.state().U << nl;
-    }
+            os  << "    " << body.name() << "    "
+                << bodies_.cellsPerWidth(bodyi) << "    "
+                << body.densityRatio() << "    " << body.state().position
+                << "    " << body.state().U << nl;
+        }
+    );
     Info<< endl;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyFunctionObject.H"
+#include "bodiesInOrder.H"
+#include "bytes.H"
+#include "OStringStream.H"
 
 namespace Foam
 {
@@ -54,7 +57,10 @@ Foam::functionObjects::bodyFunctionObject::bodiesOf
 {
     immersedBodies& bodies = sceneOf(mesh, name);
 
-    if (bodies.keepTogether())
+    const Time& time = mesh.time();
+
+    // Before the first time step there is none
+    if (bodies.keepTogether() && time.timeIndex() > time.startTimeIndex())
     {
         WarningInFunction
             << "Function object '" << name << "' has been added while bodies"
@@ -106,6 +112,82 @@ void Foam::functionObjects::bodyFunctionObject::appendVector
 }
 
 
+void Foam::functionObjects::bodyFunctionObject::writeTop(const bodyList& all)
+{
+    if (writeToFile())
+    {
+        writeHeader(file(), "Bodies, by number:");
+    }
+
+    bodiesInOrder::visit<char>
+    (
+        all,
+        [&](const label bodyi, DynamicList<char>& data)
+        {
+            bytes::append(all[bodyi].number(), data);
+            bytes::append(all[bodyi].name(), data);
+        },
+        [&](const UList<char>& bytesOfBody)
+        {
+            const char* data = bytesOfBody.cdata();
+
+            writeName(data);
+        }
+    );
+
+    if (writeToFile())
+    {
+        OFstream& os = file();
+
+        writeCommented(os, "time[s]");
+        os  << tab << "body";
+
+        for (const word& column : columns())
+        {
+            os  << tab << column;
+        }
+        os  << nl;
+    }
+}
+
+
+Foam::label Foam::functionObjects::bodyFunctionObject::writeName
+(
+    const char*& data
+)
+{
+    label number;
+    word name;
+
+    bytes::read(data, number);
+    bytes::read(data, name);
+    if (writeToFile() && named_.insert(number))
+    {
+        writeHeaderValue(file(), Foam::name(number), name);
+    }
+
+    return number;
+}
+
+
+void Foam::functionObjects::bodyFunctionObject::writeBody(const char* data)
+{
+    const label number = writeName(data);
+    std::string row;
+
+    bytes::read(data, row);
+    if (writeToFile())
+    {
+        OFstream& os = file();
+
+        writeCurrentTime(os);
+        os  << tab << number;
+        os.writeQuoted(row, false);
+        os  << nl;
+    }
+}
+
+
 bool Foam::functionObjects::bodyFunctionObject::read(const dictionary& dict)
 {
     return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
@@ -120,55 +202,40 @@ bool Foam::functionObjects::bodyFunctionObject::execute()
 
 bool Foam::functionObjects::bodyFunctionObject::write()
 {
-    sceneOf(mesh_, name()).unite();
+    const bodyList& all = bodies().list();
 
-    const immersedBodies& bodies = this->bodies();
-
-    if (!writeToFile())
+    if (!writeToFile() && !all.share().spread())
     {
         return true;
     }
-
-    OFstream& os = file();
-
-    if (!writtenHeader_)
+    if (writesHeader())
     {
-        writeHeader(os, "Bodies, by number:");
-
-        for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
-        {
-            const immersedBody& body = bodies[bodyi];
-
-            writeHeaderValue(os, Foam::name(body.number()), body.name());
-            named_.insert(body.number());
-        }
-
-        writeCommented(os, "time[s]");
-        os  << tab << "body";
-
-        for (const word& column : columns())
-        {
-            os  << tab << column;
-        }
-        os  << nl;
-        writtenHeader_ = true;
+        writeTop(all);
     }
 
-    for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies[bodyi];
-
-        if (named_.insert(body.number()))
+    bodiesInOrder::visit<char>
+    (
+        all,
+        [&](const label bodyi, DynamicList<char>& data)
         {
-            writeHeaderValue(os, Foam::name(body.number()), body.name());
-        }
+            OStringStream row;
 
-        writeCurrentTime(os);
-        os  << tab << body.number();
-        writeRow(os, body);
-        os  << nl;
+            initStream(row);
+            row.width(0);
+            writeRow(row, all[bodyi]);
+            bytes::append(all[bodyi].number(), data);
+            bytes::append(all[bodyi].name(), data);
+            bytes::append(std::string(row.str()), data);
+        },
+        [&](const UList<char>& bytesOfBody)
+        {
+            writeBody(bytesOfBody.cdata());
+        }
+    );
+    if (writeToFile())
+    {
+        file().flush();
     }
-    os.flush();
 
     return true;
 }

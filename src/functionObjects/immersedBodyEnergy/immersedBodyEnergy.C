@@ -3,6 +3,7 @@
 #include "immersedBodyEnergy.H"
 #include "addToRunTimeSelectionTable.H"
 #include "bodyContacts.H"
+#include "bodyShare.H"
 
 namespace Foam
 {
@@ -12,6 +13,41 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, immersedBodyEnergy, dictionary);
 }
 }
+
+
+namespace
+{
+
+//- Energies of translation, of rotation and in gravity of all bodies, over the
+//  density of the fluid [m5/s2]. Collective.
+Foam::vector sums(const Foam::immersedBodies& bodies)
+{
+    using namespace Foam;
+
+    vector sum(Zero);
+
+    for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
+    {
+        const immersedBody& body = bodies[bodyi];
+        const bodyState& s = body.state();
+        const scalar r = body.densityRatio();
+
+        if (bodies.list().share().mine(bodyi))
+        {
+            sum += vector
+            (
+                0.5*r*body.volume()*magSqr(s.U),
+                0.5*r*(s.omega & body.inertia(s) & s.omega),
+                -(r - 1)*body.volume()
+               *(bodies.g() & body.motion().unwrapped())
+            );
+        }
+    }
+
+    return bodies.list().share().total(sum);
+}
+
+} // End anonymous namespace
 
 
 Foam::functionObjects::immersedBodyEnergy::immersedBodyEnergy
@@ -36,8 +72,8 @@ bool Foam::functionObjects::immersedBodyEnergy::read(const dictionary& dict)
 
 bool Foam::functionObjects::immersedBodyEnergy::write()
 {
-    immersedBodies* found =
-        mesh_.getObjectPtr<immersedBodies>(immersedBodies::typeName);
+    const immersedBodies* found =
+        mesh_.findObject<immersedBodies>(immersedBodies::typeName);
 
     if (!found)
     {
@@ -47,17 +83,17 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
             << " constant/immersedBodyProperties" << nl << exit(FatalError);
     }
 
-    found->unite();
+    const immersedBodies& bodies = *found;
+    const vector ofBodies(sums(bodies));
 
     if (!writeToFile())
     {
         return true;
     }
 
-    const immersedBodies& bodies = *found;
     OFstream& os = file();
 
-    if (!writtenHeader_)
+    if (writesHeader())
     {
         writeCommented(os, "time[s]");
 
@@ -73,21 +109,6 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
             os  << tab << column;
         }
         os  << nl;
-        writtenHeader_ = true;
-    }
-
-    scalar translation = 0, rotation = 0, potential = 0;
-
-    for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies[bodyi];
-        const bodyState& s = body.state();
-        const scalar r = body.densityRatio();
-
-        translation += 0.5*r*body.volume()*magSqr(s.U);
-        rotation += 0.5*r*(s.omega & body.inertia(s) & s.omega);
-        potential -=
-            (r - 1)*body.volume()*(bodies.g() & body.motion().unwrapped());
     }
 
     const contactEnergy contact(bodies.contacts().model().energy());
@@ -98,7 +119,7 @@ bool Foam::functionObjects::immersedBodyEnergy::write()
     (
         const scalar energy
       : {
-            translation, rotation, potential, contact.springs(),
+            ofBodies.x(), ofBodies.y(), ofBodies.z(), contact.springs(),
             contact.dashpots, contact.friction(), contact.lubrication
         }
     )

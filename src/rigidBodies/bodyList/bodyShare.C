@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyShare.H"
-#include "labelPair.H"
 #include <algorithm>
-
-namespace
-{
-    //- How often in a row they are spread in vain before they stay together
-    const Foam::label maxInVain = 2;
-}
-
 
 Foam::bodyShare::bodyShare(bodyList& bodies)
 :
     bodies_(bodies),
     spread_(false),
+    wasSpread_(false),
     nAll_(0),
     way_(GREAT),
-    nSteps_(0),
-    nInVain_(0),
     numbers_(bodies, -1),
     owners_(bodies, -1),
     others_(bodies)
@@ -49,16 +40,8 @@ void Foam::bodyShare::unite()
 }
 
 
-bool Foam::bodyShare::inVain() const
-{
-    return nInVain_ >= maxInVain || (nSteps_ == 1 && nInVain_ + 1 >= maxInVain);
-}
-
-
 void Foam::bodyShare::spread(const label nAll)
 {
-    nInVain_ = nSteps_ == 1 ? nInVain_ + 1 : 0;
-    nSteps_ = 1;
     spread_ = true;
     nAll_ = nAll;
 }
@@ -79,21 +62,15 @@ void Foam::bodyShare::set
 
 void Foam::bodyShare::readState(const dictionary& dict)
 {
-    const labelPair before
-    (
-        dict.lookupOrDefault<labelPair>("spread", labelPair(0, 0))
-    );
-
-    nSteps_ = before.first();
-    nInVain_ = before.second();
+    wasSpread_ = dict.lookupOrDefault("spread", false);
 }
 
 
 void Foam::bodyShare::writeState(Ostream& os) const
 {
-    if (nSteps_ > 0)
+    if (spread_)
     {
-        os.writeEntry("spread", labelPair(nSteps_, nInVain_));
+        os.writeEntry("spread", true);
     }
 }
 

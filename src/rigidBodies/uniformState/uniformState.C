@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "uniformState.H"
+#include "compat.H"
 #include "IOdictionary.H"
 #include "Time.H"
 
@@ -46,16 +47,23 @@ bool Foam::uniformState::read
 )
 {
     IOobject io(object(mesh, name));
+    bool found = io.typeHeaderOk<IOdictionary>(false);
 
-    if (!io.typeHeaderOk<IOdictionary>(false))
+    compat::broadcast(found);
+    if (!found)
     {
         return false;
     }
 
-    // Not as an IOdictionary: the class in its header is that of the writer
-    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
-    io.readHeader(is());
-    state = dictionary(io.objectPath(), dictionary::null, is());
+    if (Pstream::master())
+    {
+        // Not as an IOdictionary: the class in its header is that of the writer
+        autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
+        io.readHeader(is());
+        state = dictionary(io.objectPath(), dictionary::null, is());
+    }
+    compat::broadcast(state);
+    state.name() = io.objectPath();
 
     return true;
 }

@@ -86,15 +86,9 @@ bool Foam::bodyHandover::pays() const
 
 void Foam::bodyHandover::beginStep(const scalar dt)
 {
-    if (share_.spread())
-    {
-        share_.countStep();
-        return;
-    }
     if
     (
-        !may_ || !look_ || !Pstream::parRun()
-     || !allCan() || share_.inVain()
+        share_.spread() || !may_ || !look_ || !Pstream::parRun() || !allCan()
     )
     {
         return;
@@ -113,7 +107,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
 
         note(i, owners[i], holders(i, x, owners[i]));
     }
-    if (!pays())
+    if (!share_.wasSpread() && !pays())
     {
         left_.clear();
         share_.unite();

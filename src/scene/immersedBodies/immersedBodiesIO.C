@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "bodiesInOrder.H"
 #include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "bodyShare.H"
 #include "uniformState.H"
 #include "unresolvedBodies.H"
 
@@ -111,14 +111,6 @@ void Foam::immersedBodies::report(Ostream& os) const
 
 bool Foam::immersedBodies::writeData(Ostream& os) const
 {
-    if (bodies_.share().spread())
-    {
-        FatalErrorInFunction
-            << "Bodies that are spread over the ranks are united at times when"
-            << " fields are written, and can only be written then" << nl
-            << exit(FatalError);
-    }
-
     // As many digits as it takes to go on exactly
     const auto precision = os.precision(17);
 
@@ -132,18 +124,26 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     // As text, whatever the format
     os.writeKeyword("cellSizes") << token::BEGIN_LIST;
 
-    for (const scalar h : h_)
-    {
-        os  << token::SPACE << h;
-    }
+    bodiesInOrder::write
+    (
+        bodies_, os,
+        [&](Ostream& os, const label bodyi)
+        {
+            os  << token::SPACE << h_[bodyi];
+        }
+    );
     os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
 
     os.beginBlock("bodies");
 
-    for (const immersedBody& body : bodies_)
-    {
-        body.writeState(os);
-    }
+    bodiesInOrder::write
+    (
+        bodies_, os,
+        [&](Ostream& os, const label bodyi)
+        {
+            bodies_[bodyi].writeState(os);
+        }
+    );
 
     os.endBlock();
     os.precision(precision);

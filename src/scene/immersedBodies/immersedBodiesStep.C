@@ -147,10 +147,9 @@ bool Foam::immersedBodies::endStep()
     // The regions go with the positions so far
     wrapPositions();
 
-    // What is written is the state of all
     if (mesh_.time().writeTime())
     {
-        handover_->prepareWrite();
+        handover_->lookAgain();
     }
     handover_->hand(mesh_.time().deltaTValue());
     contacts_->endStep();
