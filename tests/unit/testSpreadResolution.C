@@ -59,7 +59,7 @@ TEST_CASE
         "zeroGradient"
     );
     const bodyShare& share = bodies.list().share();
-    const label n = bodies.size();
+    const label n = bodies.nBodies();
 
     REQUIRE(!bodies.list().anyResolved());
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyCellSizes.H"
-#include "compat.H"
+#include "bodyShare.H"
 #include "immersedBody.H"
 #include "immersedRegion.H"
 
@@ -52,7 +52,7 @@ Foam::scalar Foam::bodyCellSizes::at
 
 void Foam::bodyCellSizes::measure
 (
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     const immersedRegion& region
 )
 {
@@ -67,8 +67,8 @@ void Foam::bodyCellSizes::measure
         inBand[bodyi] = max(inBand[bodyi], local.second());
     }
 
-    compat::allReduce(atSurface, maxEqOp<scalar>());
-    compat::allReduce(inBand, maxEqOp<scalar>());
+    bodies.share().combine(atSurface, maxEqOp<scalar>());
+    bodies.share().combine(inBand, maxEqOp<scalar>());
 
     scalarList& h = *this;
 

@@ -28,13 +28,17 @@ Foam::bodyList::dependent::~dependent()
 }
 
 
-Foam::bodyList::bodyList(PtrList<immersedBody>&& bodies)
+Foam::bodyList::bodyList
+(
+    PtrList<immersedBody>&& bodies,
+    const label nSpread
+)
 {
     forAll(bodies, i)
     {
         PtrDynList<immersedBody>::append(bodies.release(i).ptr());
     }
-    share_.reset(new bodyShare(*this));
+    share_.reset(new bodyShare(*this, nSpread));
 }
 
 

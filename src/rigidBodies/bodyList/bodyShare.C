@@ -3,17 +3,26 @@
 #include "bodyShare.H"
 #include <algorithm>
 
-Foam::bodyShare::bodyShare(bodyList& bodies)
+Foam::bodyShare::bodyShare(bodyList& bodies, const label nSpread)
 :
     bodies_(bodies),
-    spread_(false),
+    spread_(nSpread >= 0),
     wasSpread_(false),
-    nAll_(0),
+    nAll_(nSpread),
     way_(GREAT),
     numbers_(bodies, -1),
     owners_(bodies, -1),
     others_(bodies)
-{}
+{
+    if (spread_)
+    {
+        forAll(bodies, bodyi)
+        {
+            set(bodyi, Pstream::myProcNo(), labelList());
+        }
+        connect();
+    }
+}
 
 
 Foam::label Foam::bodyShare::find(const label key) const

@@ -4,6 +4,7 @@
 #include "bodyOrientation.H"
 #include "checkKeywords.H"
 #include "IFstream.H"
+#include <algorithm>
 
 namespace
 {
@@ -138,6 +139,12 @@ Foam::pointField Foam::bodyPlacement::positions
         );
     }
 
+    return readFile(dict);
+}
+
+
+Foam::pointField Foam::bodyPlacement::readFile(const dictionary& dict) const
+{
     fileName file(dict.get<fileName>("positionsFile"));
     file.expand();
     IFstream is(file.isAbsolute() ? file : root_/file);
@@ -153,35 +160,76 @@ Foam::pointField Foam::bodyPlacement::positions
 }
 
 
-void Foam::bodyPlacement::place
-(
-    const dictionary& dict,
-    PtrList<immersedBody>& bodies
-) const
+void Foam::bodyPlacement::check(const dictionary& dict, const entry& e)
 {
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict)
+            << "'" << e.keyword() << "' in '" << dict.dictName()
+            << "' must be a dictionary that describes a body" << nl
+            << exit(FatalIOError);
+    }
+
     wordList valid(bodyKind::keywords);
     valid.append(placements);
     valid.append(word("orientation"));
     valid.append(word("seed"));
 
+    keywords::check(e.dict(), valid);
+    keywords::check
+    (
+        e.dict().subOrEmptyDict("random"),
+        {"number", "min", "max", "gap", "seed"}
+    );
+}
+
+
+Foam::label Foam::bodyPlacement::nListed(const dictionary& dict) const
+{
+    label n = 0;
+
     for (const entry& e : dict)
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "'" << e.keyword() << "' in '" << dict.dictName()
-                << "' must be a dictionary that describes a body" << nl
-                << exit(FatalIOError);
-        }
+        check(dict, e);
 
         const dictionary& bodyDict = e.dict();
-        keywords::check(bodyDict, valid);
-        keywords::check
-        (
-            bodyDict.subOrEmptyDict("random"),
-            {"number", "min", "max", "gap", "seed"}
-        );
 
+        if (bodyDict.found("random"))
+        {
+            return -1;
+        }
+        if (bodyDict.found("positionsFile"))
+        {
+            n += readFile(bodyDict).size();
+        }
+        else
+        {
+            n += bodyDict.lookupOrDefault
+            (
+                "positions", pointField(1)
+            ).size();
+        }
+    }
+
+    return n;
+}
+
+
+Foam::label Foam::bodyPlacement::place
+(
+    const dictionary& dict,
+    PtrList<immersedBody>& bodies,
+    std::vector<std::shared_ptr<const bodyKind>>& kinds,
+    const std::function<bool(const point&)>& here
+) const
+{
+    label number = 0;
+
+    for (const entry& e : dict)
+    {
+        check(dict, e);
+
+        const dictionary& bodyDict = e.dict();
         const std::shared_ptr<const bodyShape> shape
         (
             bodyShape::New(bodyDict.subDict("shape"), space_).ptr()
@@ -192,24 +240,20 @@ void Foam::bodyPlacement::place
             positions(bodyDict, shape->boundingRadius(), bodies, random)
         );
         const bool turned = bodyOrientation::isRandom(bodyDict);
-        const auto kind = std::make_shared<const bodyKind>
+        const bool single = x.size() == 1 && bodyDict.found("position");
+
+        kinds.push_back
         (
-            bodyDict, shape, space_, rho_
+            std::make_shared<const bodyKind>(bodyDict, shape, space_, rho_)
         );
 
-        const label nBefore = bodies.size();
+        label n = bodies.size();
 
-        bodies.resize(nBefore + x.size());
+        bodies.resize(n + std::count_if(x.begin(), x.end(), here));
 
         forAll(x, i)
         {
-            const word name
-            (
-                x.size() == 1 && bodyDict.found("position")
-              ? word(e.keyword())
-              : word(e.keyword() + Foam::name(i + 1))
-            );
-
+            // Others are drawn as well: all ranks draw the same
             const quaternion orientation
             (
                 turned
@@ -217,10 +261,36 @@ void Foam::bodyPlacement::place
               : bodyOrientation::read(bodyDict, space_)
             );
 
-            bodies.set
-            (
-                nBefore + i, new immersedBody(name, kind, x[i], orientation)
-            );
+            if (here(x[i]))
+            {
+                const word name
+                (
+                    single
+                  ? word(e.keyword())
+                  : word(e.keyword() + Foam::name(i + 1))
+                );
+
+                bodies.set
+                (
+                    n, new immersedBody(name, kinds.back(), x[i], orientation)
+                );
+                bodies[n++].setNumber(number);
+            }
+            ++number;
         }
     }
+
+    return number;
+}
+
+
+void Foam::bodyPlacement::place
+(
+    const dictionary& dict,
+    PtrList<immersedBody>& bodies
+) const
+{
+    std::vector<std::shared_ptr<const bodyKind>> kinds;
+
+    place(dict, bodies, kinds, [](const point&) { return true; });
 }

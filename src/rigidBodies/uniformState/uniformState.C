@@ -39,6 +39,20 @@ Foam::fileName Foam::uniformState::path
 }
 
 
+bool Foam::uniformState::found
+(
+    const objectRegistry& mesh,
+    const word& name
+)
+{
+    bool there = object(mesh, name).typeHeaderOk<IOdictionary>(false);
+
+    compat::broadcast(there);
+
+    return there;
+}
+
+
 bool Foam::uniformState::read
 (
     const objectRegistry& mesh,
@@ -46,14 +60,12 @@ bool Foam::uniformState::read
     dictionary& state
 )
 {
-    IOobject io(object(mesh, name));
-    bool found = io.typeHeaderOk<IOdictionary>(false);
-
-    compat::broadcast(found);
-    if (!found)
+    if (!found(mesh, name))
     {
         return false;
     }
+
+    IOobject io(object(mesh, name));
 
     if (Pstream::master())
     {

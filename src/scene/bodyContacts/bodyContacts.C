@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyContacts.H"
+#include "bodyShare.H"
 #include "meshWalls.H"
 #include "profiling.H"
 
@@ -100,7 +101,7 @@ void Foam::bodyContacts::writeState(Ostream& os) const
 
 void Foam::bodyContacts::report
 (
-    const PtrList<immersedBody>& bodies,
+    const bodyList& bodies,
     Ostream& os
 ) const
 {
@@ -115,10 +116,12 @@ void Foam::bodyContacts::report
     {
         label nOthers = 0;
 
-        for (const immersedBody& body : bodies)
+        forAll(bodies, bodyi)
         {
-            nOthers += !body.shape().round();
+            nOthers +=
+                bodies.share().mine(bodyi) && !bodies[bodyi].shape().round();
         }
+        nOthers = bodies.share().total(nOthers);
 
         os  << "    lubrication: ";
         lubrication_->report(os);

@@ -13,6 +13,7 @@ namespace
 Foam::bodyHandover::bodyHandover
 (
     bodyList& bodies,
+    const std::vector<std::shared_ptr<const bodyKind>>& kinds,
     const couplingChoice& choice,
     const immersedRegion& region,
     const grainKernels& kernels,
@@ -35,7 +36,12 @@ Foam::bodyHandover::bodyHandover
     widthsAround_(0),
     look_(true),
     reported_(false)
-{}
+{
+    for (const auto& kind : kinds)
+    {
+        addKind(kind);
+    }
+}
 
 
 void Foam::bodyHandover::note
@@ -144,13 +150,8 @@ void Foam::bodyHandover::drop()
 }
 
 
-bool Foam::bodyHandover::unite()
+void Foam::bodyHandover::unite()
 {
-    if (!share_.spread())
-    {
-        return false;
-    }
-
     DynamicList<label> own(bodies_.size());
     std::vector<received> made;
 
@@ -178,6 +179,18 @@ bool Foam::bodyHandover::unite()
     insert(made);
     share_.unite();
     look_ = true;
+}
 
-    return true;
+
+bool Foam::bodyHandover::keepTogether()
+{
+    const bool spread = share_.spread();
+
+    if (spread)
+    {
+        unite();
+    }
+    may_ = false;
+
+    return spread;
 }

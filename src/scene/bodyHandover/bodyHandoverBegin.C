@@ -7,7 +7,7 @@ namespace
 
 //- Bodies per rank from which on they are spread: those that the mesh does not
 //  resolve, and those that it does, each of which is more to hold and to send
-const Foam::label fewest = Foam::grainShare::fewest;
+const Foam::label fewestUnresolved = Foam::grainShare::fewest;
 const Foam::label fewestResolved = 16;
 
 //- Part of all bodies that a rank holds then, at most: copies take as long as
@@ -19,28 +19,35 @@ const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 } // End anonymous namespace
 
 
+Foam::label Foam::bodyHandover::fewest()
+{
+    return fewestResolved*Pstream::nProcs();
+}
+
+
 bool Foam::bodyHandover::allCan() const
 {
-    const label nRanks = Pstream::nProcs();
+    label nResolved = 0, nUnresolved = 0;
+    bool ambient = false;
 
-    if
-    (
-        bodies_.nResolved() < fewestResolved*nRanks
-     && bodies_.nUnresolved() < fewest*nRanks
-    )
+    forAll(bodies_, bodyi)
     {
-        return false;
-    }
+        const immersedBody& body = bodies_[bodyi];
 
-    for (const immersedBody& body : bodies_)
-    {
-        if (body.needsAmbient())
+        if (share_.mine(bodyi))
         {
-            return false;
+            ++(body.resolved() ? nResolved : nUnresolved);
+            ambient = ambient || body.needsAmbient();
         }
     }
+    nResolved = share_.total(nResolved);
+    nUnresolved = share_.total(nUnresolved);
 
-    return true;
+    const bool many =
+        nResolved >= fewest()
+     || nUnresolved >= fewestUnresolved*Pstream::nProcs();
+
+    return !share_.any(ambient) && (many || share_.wasSpread());
 }
 
 
@@ -51,15 +58,13 @@ void Foam::bodyHandover::findKinds()
 
     for (const immersedBody& body : bodies_)
     {
-        addKind(body);
+        addKind(body.sharedKind());
     }
 }
 
 
-void Foam::bodyHandover::addKind(const immersedBody& body)
+void Foam::bodyHandover::addKind(const std::shared_ptr<const bodyKind>& kind)
 {
-    const auto& kind = body.sharedKind();
-
     if (placeOfKind_.emplace(kind.get(), kinds_.size()).second)
     {
         kinds_.push_back(kind);
@@ -67,10 +72,10 @@ void Foam::bodyHandover::addKind(const immersedBody& body)
 }
 
 
-bool Foam::bodyHandover::pays() const
+bool Foam::bodyHandover::pays(const label nHeld) const
 {
-    const scalar n = bodies_.size();
-    const scalar held = (n - left_.size())/n;
+    const scalar n = share_.nAll();
+    const scalar held = nHeld/n;
     scalar own = 0;
 
     for (const label owner : share_.owners())
@@ -81,6 +86,44 @@ bool Foam::bodyHandover::pays() const
     return
         returnReduce(held, maxOp<scalar>()) < mostHeld
      && returnReduce(own, maxOp<scalar>()) < 1.0/Pstream::nProcs() + unequal;
+}
+
+
+void Foam::bodyHandover::settle(const scalar dt)
+{
+    if (!share_.spread())
+    {
+        return;
+    }
+
+    // Those that a rank begins with may be in a cell of another, which has a
+    // copy after the first time
+    for (label times = 0; times < 2; ++times)
+    {
+        hand(dt);
+        drop();
+    }
+    if (may_ && allCan() && pays(bodies_.size()))
+    {
+        report();
+    }
+    else
+    {
+        unite();
+    }
+}
+
+
+void Foam::bodyHandover::report()
+{
+    if (!reported_)
+    {
+        Info<< "Bodies are spread over the ranks: " << share_.nAll()
+            << ", at most "
+            << returnReduce(bodies_.size(), maxOp<label>()) << " on one"
+            << endl;
+        reported_ = true;
+    }
 }
 
 
@@ -107,7 +150,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
 
         note(i, owners[i], holders(i, x, owners[i]));
     }
-    if (!share_.wasSpread() && !pays())
+    if (!share_.wasSpread() && !pays(bodies_.size() - left_.size()))
     {
         left_.clear();
         share_.unite();
@@ -115,13 +158,5 @@ void Foam::bodyHandover::beginStep(const scalar dt)
     }
     share_.spread(bodies_.size());
     drop();
-
-    if (!reported_)
-    {
-        Info<< "Bodies are spread over the ranks: " << share_.nAll()
-            << ", at most "
-            << returnReduce(bodies_.size(), maxOp<label>()) << " on one"
-            << endl;
-        reported_ = true;
-    }
+    report();
 }

@@ -94,7 +94,7 @@ void Foam::bodyHandover::entered(const label n)
     share_.add(n);
     for (label i = first; i < bodies_.size(); ++i)
     {
-        addKind(bodies_[i]);
+        addKind(bodies_[i].sharedKind());
         note(i, owners[i - first], identity(Pstream::nProcs()));
     }
     bodies_.sort();

@@ -39,7 +39,7 @@ void Foam::bodyResolution::findAtCentres()
     {
         h_[bodyi] = kernels().cellSize(bodies_[bodyi].state().position);
     }
-    compat::allReduce(h_, maxEqOp<scalar>());
+    bodies_.share().combine(h_, maxEqOp<scalar>());
 }
 
 
@@ -62,16 +62,8 @@ void Foam::bodyResolution::findAtSurfaces()
 }
 
 
-void Foam::bodyResolution::start(const bool restarted)
+void Foam::bodyResolution::choose(const bool restarted)
 {
-    // Those of a previous run stay, or it could not go on exactly
-    const bool known = bodies_.empty() || min(h_) > 0;
-
-    if (!known)
-    {
-        findAtCentres();
-    }
-
     forAll(bodies_, bodyi)
     {
         immersedBody& body = bodies_[bodyi];
@@ -82,6 +74,19 @@ void Foam::bodyResolution::start(const bool restarted)
             body.status().setResolved(choice().resolves(body, h_[bodyi]));
         }
     }
+}
+
+
+void Foam::bodyResolution::start(const bool restarted)
+{
+    // Those of a previous run stay, or it could not go on exactly
+    const bool known = bodies_.share().all(h_.empty() || min(h_) > 0);
+
+    if (!known)
+    {
+        findAtCentres();
+    }
+    choose(restarted);
 
     region_.updateGeometry(bodies_);
 
@@ -144,10 +149,7 @@ Foam::scalarField Foam::bodyResolution::localCellSizes() const
         }
     }
 
-    bodies_.share().combine
-    (
-        identity(sizes.size()), 1, sizes, maxEqOp<scalar>()
-    );
+    bodies_.share().combine(sizes, maxEqOp<scalar>());
 
     return sizes;
 }

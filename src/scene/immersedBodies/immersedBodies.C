@@ -5,12 +5,12 @@
 #include "bodyContacts.H"
 #include "bodyHandover.H"
 #include "bodyPassage.H"
-#include "bodyPlacement.H"
 #include "bodyProperties.H"
 #include "bodyResolution.H"
 #include "bodyTraffic.H"
 #include "freeVelocities.H"
 #include "meshProperties.H"
+#include "uniformState.H"
 #include "unresolvedBodies.H"
 
 namespace Foam
@@ -22,45 +22,18 @@ namespace Foam
 namespace
 {
 
-//- Place the bodies of a dictionary, with their velocities at the start
-Foam::PtrList<Foam::immersedBody> placeBodies
-(
-    const Foam::dictionary& dict,
-    const Foam::geometricSpace& space,
-    const Foam::Time& time,
-    const Foam::scalar rho
-)
+//- Does any body move through the mesh? Collective.
+bool movesThroughMesh(const Foam::bodyList& bodies)
 {
-    Foam::PtrList<Foam::immersedBody> bodies;
-    Foam::bodyPlacement(space, time.globalPath(), rho).place
-    (
-        dict.subOrEmptyDict("bodies"),
-        bodies
-    );
+    bool moves = false;
 
-    for (Foam::immersedBody& body : bodies)
-    {
-        // Wrong ones that start from zero are refused here as well
-        body.prescribe(time.value() + time.deltaTValue());
-        body.startPrescribed(time.value());
-    }
-
-    return bodies;
-}
-
-
-//- Does any body move through the mesh?
-bool movesThroughMesh(const Foam::PtrList<Foam::immersedBody>& bodies)
-{
     for (const Foam::immersedBody& body : bodies)
     {
-        if (body.isFree() || body.status().asleep() || !body.isFixed())
-        {
-            return true;
-        }
+        moves = moves
+         || body.isFree() || body.status().asleep() || !body.isFixed();
     }
 
-    return false;
+    return bodies.share().any(moves);
 }
 
 } // End anonymous namespace
@@ -89,7 +62,12 @@ Foam::immersedBodies::immersedBodies
     space_(meshProperties::space(mesh)),
     periodicity_(meshProperties::periods(mesh)),
     fluid_(dict, mesh),
-    bodies_(placeBodies(dict, space_, mesh.time(), fluid_.rho())),
+    start_
+    (
+        dict_, mesh, space_, fluid_.rho(),
+        uniformState::found(mesh, typeName)
+    ),
+    bodies_(std::move(start_.bodies()), start_.nSpread()),
     passage_(new bodyPassage(dict_, space_, mesh, fluid_.rho(), bodies_)),
     clock_(mesh.time().value()),
     window_(dict.subOrEmptyDict("window"), mesh, bodies_),
@@ -142,6 +120,7 @@ Foam::immersedBodies::immersedBodies
         new bodyHandover
         (
             bodies_,
+            start_.kinds(),
             unresolved_->coupling().choice(),
             region(),
             unresolved_->coupling().kernels(),
@@ -179,6 +158,8 @@ Foam::immersedBodies::immersedBodies
         checkSteady();
     }
 
+    resolution_->choose(restarted_);
+    handover_->settle(mesh.time().deltaTValue());
     resolution_->start(restarted_);
     checkInside();
     h_.checkResolution(bodies_, bodies);
@@ -277,25 +258,17 @@ void Foam::immersedBodies::holdWithin(const scalar widths)
 }
 
 
-bool Foam::immersedBodies::unite()
+bool Foam::immersedBodies::keepTogether()
 {
-    const bool done = handover_->unite();
+    const bool changed = handover_->keepTogether();
 
-    if (done)
+    if (changed)
     {
         // What is kept of contacts is that of all
         contacts_->endStep();
     }
 
-    return done;
-}
-
-
-bool Foam::immersedBodies::keepTogether()
-{
-    handover_->forbid();
-
-    return unite();
+    return changed;
 }
 
 

@@ -3,7 +3,6 @@
 #include "immersedBodies.H"
 #include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "compat.H"
 
 void Foam::immersedBodies::checkInside() const
 {
@@ -35,7 +34,7 @@ void Foam::immersedBodies::checkInside() const
         }
     }
 
-    compat::allReduce(found, maxEqOp<label>());
+    bodies_.share().combine(found, maxEqOp<label>());
 
     forAll(bodies_, bodyi)
     {

@@ -50,7 +50,7 @@ bool Foam::immersedBodies::readState()
 
 void Foam::immersedBodies::report(Ostream& os) const
 {
-    os  << "Immersed bodies: " << size() << ' ' << space_.nDims() << "D";
+    os  << "Immersed bodies: " << nBodies() << ' ' << space_.nDims() << "D";
 
     if (space_.twoD())
     {
@@ -66,6 +66,7 @@ void Foam::immersedBodies::report(Ostream& os) const
     os  << nl << "    resistance: ";
     region().resistance().report(os);
 
+    const bodyShare& share = bodies_.share();
     scalar fewest = GREAT, most = 0;
     label nFree = 0, nFixed = 0;
 
@@ -73,12 +74,16 @@ void Foam::immersedBodies::report(Ostream& os) const
     {
         fewest = min(fewest, cellsPerWidth(bodyi));
         most = max(most, cellsPerWidth(bodyi));
-        nFree += bodies_[bodyi].isFree();
-        nFixed += bodies_[bodyi].isFixed();
+        nFree += share.mine(bodyi) && bodies_[bodyi].isFree();
+        nFixed += share.mine(bodyi) && bodies_[bodyi].isFixed();
     }
+    fewest = -share.largest(-fewest);
+    most = share.largest(most);
+    nFree = share.total(nFree);
+    nFixed = share.total(nFixed);
 
     os  << nl << "    motion: " << nFree << " free, " << nFixed << " fixed, "
-        << size() - nFree - nFixed << " prescribed";
+        << nBodies() - nFree - nFixed << " prescribed";
 
     if (window_.comoving())
     {
@@ -87,12 +92,12 @@ void Foam::immersedBodies::report(Ostream& os) const
             << " m/s";
     }
 
-    if (size())
+    if (nBodies())
     {
         os  << nl << "    cells per width: " << fewest << " to " << most;
     }
 
-    if (bodies_.nUnresolved())
+    if (share.any(bodies_.nUnresolved()))
     {
         os  << nl << "    ";
         unresolved_->coupling().report(os);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyPassage.H"
+#include "bodyShare.H"
 #include "checkKeywords.H"
 
 namespace
@@ -41,20 +42,15 @@ Foam::bodyPassage::bodyPassage
     const geometricSpace& space,
     const fvMesh& mesh,
     const scalar rho,
-    PtrList<immersedBody>& bodies
+    const bodyList& bodies
 )
 :
     mesh_(mesh),
     leaving_(dict.subOrEmptyDict("leaving"), mesh),
-    nextNumber_(0),
+    nextNumber_(bodies.share().nAll()),
     table_(mesh)
 {
     const dictionary& injection = dict.subOrEmptyDict("injection");
-
-    for (immersedBody& body : bodies)
-    {
-        body.setNumber(nextNumber_++);
-    }
 
     for (const entry& e : injection)
     {

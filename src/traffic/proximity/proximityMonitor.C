@@ -169,7 +169,7 @@ Foam::scalarField Foam::proximityMonitor::wallGaps
         );
     }
 
-    bodies.share().combine(identity(gaps.size()), 1, gaps, minEqOp<scalar>());
+    bodies.share().combine(gaps, minEqOp<scalar>());
 
     return gaps;
 }
