@@ -131,12 +131,6 @@ TEST_CASE("What belongs to bodies follows them in and out", "[bodyList]")
         CHECK(share.find(10) == -1);
     }
 
-    SECTION("all are exchanged")
-    {
-        bodies.exchange(makeBodies(2));
-        CHECK(ratios == scalarList(2, scalar(0)));
-    }
-
     SECTION("a list that is no longer there is not followed")
     {
         {

@@ -73,6 +73,60 @@ TEST_CASE("Bodies are named and placed as listed", "[bodyPlacement]")
 }
 
 
+TEST_CASE("Bodies are found by their names", "[bodyPlacement]")
+{
+    const placedBodies all(bodyPlacement(xyPlane, ".", 1).place(dict
+    (
+        "a { position (1 2 0); " + disc + "}"
+        "none { positions (); " + disc + "}"
+        "b { positions ((3 4 0) (5 6 0)); orientation random; seed 1; " + disc
+      + "} b3_ { positions ((7 8 0)); " + disc + "}"
+    )));
+    const wordList names({"a", "b1", "b2", "b3_1"});
+
+    REQUIRE(all.size() == 4);
+    CHECK(all.entries().size() == 3);
+
+    forAll(names, number)
+    {
+        CHECK(all.name(number) == names[number]);
+        CHECK(all.find(names[number]) == number);
+        CHECK(all.position(number) == vector(1 + 2*number, 2 + 2*number, 0));
+
+        const autoPtr<immersedBody> body(all.make(number));
+
+        CHECK(body->name() == names[number]);
+        CHECK(body->number() == number);
+        CHECK(body->state().position == all.position(number));
+    }
+    for (const char* other : {"b", "b0", "b3", "b01", "a1", "none1", "b3_", "c"})
+    {
+        CHECK(all.find(other) == -1);
+    }
+    CHECK
+    (
+        all.make(1)->state().orientation != all.make(2)->state().orientation
+    );
+}
+
+
+TEST_CASE("Two bodies of one name are refused", "[bodyPlacement]")
+{
+    const std::string many("b { positions ((3 4 0) (5 6 0)); " + disc + "}");
+
+    CHECK_THAT
+    (
+        refusal(many + "b2 { position (0 0 0); " + disc + "}"),
+        Contains("'b' and 'b2' both have a body 'b2'")
+    );
+    CHECK_THAT
+    (
+        refusal("b1 { positions ((0 0 0)); " + disc + "}" + many),
+        !Contains("both")
+    );
+}
+
+
 TEST_CASE("Random bodies keep their distance", "[bodyPlacement]")
 {
     const bool twoD = GENERATE(true, false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactTools.H"
+#include "contactState.H"
 
 using namespace Foam;
 using contactTools::Scene;
@@ -174,12 +175,10 @@ TEST_CASE("Contact that is undone and restarted", "[contact]")
     twice.step(0.001);
 
     // Written and read by another model
-    OStringStream os;
-    os.precision(17);
-    twice.model().writeState(os);
+    const std::string state(contactState::write(twice.model(), twice.bodies));
     Scene third(contact(0.8, 0.02, 0.3));
     third.bodies.transfer(twice.bodies);
-    third.model().readState(testTools::dict(os.str()));
+    contactState::read(third.model(), third.bodies, state);
     third.run(0.001, 30);
 
     for (label i = 0; i < 2; ++i)

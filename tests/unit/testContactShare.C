@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactShare.H"
+#include "contactState.H"
 #include "contactTools.H"
 #include "exchange.H"
 #include "HashSet.H"
@@ -104,12 +105,7 @@ scalar differenceOf(const Heap& a, const Heap& b)
 //- What the next step needs of the contacts, as text
 std::string stateOf(Heap& heap)
 {
-    OStringStream os;
-
-    os.precision(17);
-    heap.model().writeState(os);
-
-    return os.str();
+    return contactState::write(heap.model(), heap.bodies);
 }
 
 
@@ -232,8 +228,8 @@ TEST_CASE("Contacts that are shared go on after a restart", "[contact]")
     const std::string written = stateOf(at);
     Heap next(false);
 
-    next.model().readState(testTools::dict(written));
     next.bodies.transfer(other.bodies);
+    contactState::read(next.model(), next.bodies, written);
 
     at.run(dt, 3);
     next.run(dt, 3);

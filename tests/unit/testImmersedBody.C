@@ -137,7 +137,7 @@ TEST_CASE("A written body goes on to the last bit", "[immersedBody]")
     body.writeState(os);
 
     immersedBody copy(makeBody(text));
-    copy.readState(dict(os.str()).subDict("grain"));
+    copy.readState(dict(os.str()));
 
     CHECK(copy.state().position == body.state().position);
     CHECK(copy.state().U == body.state().U);

@@ -2,6 +2,7 @@
 
 #include "bodyTools.H"
 #include "boxMesh.H"
+#include "bodyPlacement.H"
 #include "meshWindow.H"
 
 using namespace Foam;
@@ -30,7 +31,21 @@ vector followed(const std::string& entries, const vector& U)
     one[0].setState(state);
     const bodyList bodies(std::move(one));
 
-    meshWindow window(dict("type comoving; " + entries), *mesh, bodies);
+    const dictionary placed
+    (
+        dict
+        (
+            "grain { shape { type sphere; radius 0.1; } densityRatio 1;"
+            " position (0 0 0); }"
+        )
+    );
+
+    meshWindow window
+    (
+        dict("type comoving; " + entries),
+        *mesh,
+        bodyPlacement(space, ".", 1).place(placed)
+    );
     window.follow(bodies);
 
     return window.velocity();

@@ -138,7 +138,7 @@ TEST_CASE("Bodies of the type fixed stay", "[prescribed]")
     immersedBody moved(makeBody("densityRatio 2; velocity (1 2 0);"));
     OStringStream os;
     moved.writeState(os);
-    body.readState(dict(os.str()).subDict("grain"));
+    body.readState(dict(os.str()));
 
     CHECK(body.isFixed());
     CHECK(body.state().U == vector::zero);

@@ -105,7 +105,7 @@ TEST_CASE("Springs hold on in periodic meshes, windows and restarts",
     os.precision(17);
     wrapped.writeState(os);
     immersedBody next(restrained(start, spring, {7, 7, 7}));
-    next.readState(dict(os.str()).subDict("grain"));
+    next.readState(dict(os.str()));
 
     const ddtCoefficients ddt("Euler", 0.1, 0.1);
     const vector meshU(2, 0, 0);

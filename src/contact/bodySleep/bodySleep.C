@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodySleep.H"
-#include "bodiesInOrder.H"
 #include "checkKeywords.H"
-
-namespace
-{
-    //- Keyword of its entry in the state
-    Foam::word keyOf(const Foam::immersedBody& body)
-    {
-        return "body" + Foam::name(body.number());
-    }
-}
-
 
 Foam::bodySleep::bodySleep
 (
@@ -138,61 +127,38 @@ void Foam::bodySleep::update
 }
 
 
-void Foam::bodySleep::readState(const dictionary& dict)
+void Foam::bodySleep::readState(const label bodyi, const dictionary& dict)
 {
-    if (!active())
+    if (!active() || !dict.found("rest"))
     {
         return;
     }
 
-    const dictionary& all = dict.subOrEmptyDict("rests");
+    const dictionary& known = dict.subDict("rest");
+    rest& r = rests_()[bodyi];
 
-    forAll(bodies_, bodyi)
-    {
-        const dictionary known(all.subOrEmptyDict(keyOf(bodies_[bodyi])));
-
-        if (known.size())
-        {
-            rest& r = rests_()[bodyi];
-
-            r.nSlow = known.get<label>("slow");
-            r.time = known.get<scalar>("time");
-            r.U = known.get<vector>("velocity");
-            r.force = known.get<vector>("force");
-            bodies_[bodyi].setAsleep(r.nSlow >= nSteps_);
-        }
-    }
+    r.nSlow = known.get<label>("slow");
+    r.time = known.get<scalar>("time");
+    r.U = known.get<vector>("velocity");
+    r.force = known.get<vector>("force");
+    bodies_[bodyi].setAsleep(r.nSlow >= nSteps_);
 }
 
 
-void Foam::bodySleep::writeState(Ostream& os) const
+void Foam::bodySleep::writeState(Ostream& os, const label bodyi) const
 {
-    if (!active())
+    if (!active() || rests_()[bodyi].nSlow == 0)
     {
         return;
     }
 
-    os.beginBlock("rests");
+    const rest& known = rests_()[bodyi];
 
-    bodiesInOrder::write
-    (
-        bodies_, os,
-        [&](Ostream& os, const label bodyi)
-        {
-            const rest& known = rests_()[bodyi];
-
-            if (known.nSlow > 0)
-            {
-                os.beginBlock(keyOf(bodies_[bodyi]));
-                os.writeEntry("slow", known.nSlow);
-                os.writeEntry("time", known.time);
-                os.writeEntry("velocity", known.U);
-                os.writeEntry("force", known.force);
-                os.endBlock();
-            }
-        }
-    );
-
+    os.beginBlock("rest");
+    os.writeEntry("slow", known.nSlow);
+    os.writeEntry("time", known.time);
+    os.writeEntry("velocity", known.U);
+    os.writeEntry("force", known.force);
     os.endBlock();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "historyContact.H"
-#include "bodiesInOrder.H"
 #include "exchange.H"
 
 template<class Record>
@@ -171,9 +170,47 @@ Foam::historyContact<Record>::moments(const scalar dt) const
 
 
 template<class Record>
+void Foam::historyContact<Record>::readState
+(
+    const immersedBody& body,
+    const dictionary& dict
+)
+{
+    old_.append(dict.lookupOrDefault<vectorList>(keyword_, vectorList()));
+}
+
+
+template<class Record>
+void Foam::historyContact<Record>::writeState
+(
+    Ostream& os,
+    const immersedBody& body
+) const
+{
+    const UList<Record> records(old_.ofFirst(body.number()));
+
+    if (records.empty())
+    {
+        return;
+    }
+
+    // As text, whatever the format
+    os.writeKeyword(keyword_) << token::BEGIN_LIST;
+
+    for (const vector& v : old_.pack(records))
+    {
+        os  << token::SPACE << v;
+    }
+    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
+}
+
+
+template<class Record>
 void Foam::historyContact<Record>::readState(const dictionary& dict)
 {
-    old_.unpack(dict.lookupOrDefault<vectorList>(keyword_, vectorList()));
+    // Where bodies are spread each rank has those of its own now
+    movers_.ranks().divide(PtrList<immersedBody>(), false);
+    old_.sort();
     history_ = old_;
 
     const vector lost(dict.lookupOrDefault<vector>("contactLosses", Zero));
@@ -187,39 +224,6 @@ void Foam::historyContact<Record>::readState(const dictionary& dict)
 template<class Record>
 void Foam::historyContact<Record>::writeState(Ostream& os) const
 {
-    // As text, whatever the format
-    os.writeKeyword(keyword_) << token::BEGIN_LIST;
-
-    const auto writePacked = [](Ostream& os, const UList<vector>& packed)
-    {
-        for (const vector& v : packed)
-        {
-            os  << token::SPACE << v;
-        }
-    };
-
-    if (movers_.ranks().spread())
-    {
-        const bodyList& bodies = movers_.ranks().held().bodies();
-
-        bodiesInOrder::write
-        (
-            bodies, os,
-            [&](Ostream& os, const label bodyi)
-            {
-                writePacked
-                (
-                    os, old_.pack(old_.ofFirst(bodies[bodyi].number()))
-                );
-            }
-        );
-    }
-    else
-    {
-        writePacked(os, old_.pack());
-    }
-    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
-
     os.writeEntry
     (
         "contactLosses",

@@ -244,17 +244,25 @@ void Foam::contactModels::softSphere::endStep()
 }
 
 
-void Foam::contactModels::softSphere::readState(const dictionary& dict)
+void Foam::contactModels::softSphere::readState
+(
+    const immersedBody& body,
+    const dictionary& dict
+)
 {
-    historyContact<springRecord>::readState(dict);
-    roughness_.readState(dict);
+    historyContact<springRecord>::readState(body, dict);
+    roughness_.readState(body.number(), dict);
 }
 
 
-void Foam::contactModels::softSphere::writeState(Ostream& os) const
+void Foam::contactModels::softSphere::writeState
+(
+    Ostream& os,
+    const immersedBody& body
+) const
 {
-    historyContact<springRecord>::writeState(os);
-    roughness_.writeState(os, movers_.ranks());
+    historyContact<springRecord>::writeState(os, body);
+    roughness_.writeState(os, body.number());
 }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallRoughness.H"
-#include "bodiesInOrder.H"
 #include "keyedRandom.H"
 #include "labelList.H"
 #include "mathematicalConstants.H"
@@ -144,65 +143,24 @@ void Foam::wallRoughness::endStep(const contactMovers& movers)
 }
 
 
-void Foam::wallRoughness::readState(const dictionary& dict)
+void Foam::wallRoughness::readState(const label number, const dictionary& dict)
 {
-    const labelList packed
-    (
-        dict.lookupOrDefault<labelList>("wallImpacts", labelList())
-    );
+    const label n = dict.lookupOrDefault<label>("wallImpacts", 0);
 
-    old_.clear();
-    for (label i = 0; i + 1 < packed.size(); i += 2)
+    if (n > 0)
     {
-        old_.set(packed[i], packed[i + 1]);
+        old_.set(number, n);
+        impacts_.set(number, n);
     }
-    impacts_ = old_;
 }
 
 
-void Foam::wallRoughness::writeState
-(
-    Ostream& os,
-    const moverRanks& ranks
-) const
+void Foam::wallRoughness::writeState(Ostream& os, const label number) const
 {
-    if (!ranks.spread() && old_.empty())
+    const auto iter = old_.cfind(number);
+
+    if (iter.found())
     {
-        return;
+        os.writeEntry("wallImpacts", iter());
     }
-
-    // As text, whatever the format
-    os.writeKeyword("wallImpacts") << token::BEGIN_LIST;
-
-    const auto writeCount = [&](Ostream& os, const label number)
-    {
-        const auto iter = old_.cfind(number);
-
-        if (iter.found())
-        {
-            os  << token::SPACE << number << token::SPACE << iter();
-        }
-    };
-
-    if (ranks.spread())
-    {
-        const bodyList& bodies = ranks.held().bodies();
-
-        bodiesInOrder::write
-        (
-            bodies, os,
-            [&](Ostream& os, const label bodyi)
-            {
-                writeCount(os, bodies[bodyi].number());
-            }
-        );
-    }
-    else
-    {
-        for (const label number : old_.sortedToc())
-        {
-            writeCount(os, number);
-        }
-    }
-    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
 }

@@ -252,17 +252,3 @@ void Foam::bodyList::sort()
     );
     reorder(order);
 }
-
-
-void Foam::bodyList::exchange(PtrList<immersedBody>&& bodies)
-{
-    while (size())
-    {
-        take(size() - 1);
-    }
-
-    forAll(bodies, i)
-    {
-        append(bodies.release(i));
-    }
-}

@@ -16,11 +16,7 @@ Foam::bodyShare::bodyShare(bodyList& bodies, const label nSpread)
 {
     if (spread_)
     {
-        forAll(bodies, bodyi)
-        {
-            set(bodyi, Pstream::myProcNo(), labelList());
-        }
-        connect();
+        begin(nSpread);
     }
 }
 
@@ -35,6 +31,18 @@ Foam::label Foam::bodyShare::find(const label key) const
     const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), key);
 
     return at != numbers_.end() && *at == key ? at - numbers_.begin() : -1;
+}
+
+
+void Foam::bodyShare::begin(const label nAll)
+{
+    spread(nAll);
+
+    forAll(bodies_, bodyi)
+    {
+        set(bodyi, Pstream::myProcNo(), labelList());
+    }
+    connect();
 }
 
 

@@ -4,7 +4,6 @@
 #include "bodyOrientation.H"
 #include "checkKeywords.H"
 #include "IFstream.H"
-#include <algorithm>
 
 namespace
 {
@@ -59,10 +58,17 @@ Foam::pointField Foam::bodyPlacement::randomPositions
 (
     const dictionary& dict,
     const scalar radius,
-    const UPtrList<immersedBody>& others,
+    const placedBodies& before,
     Random& random
 ) const
 {
+    PtrList<immersedBody> others(before.size());
+
+    forAll(others, i)
+    {
+        others.set(i, before.make(i));
+    }
+
     const label number = label(keywords::positive(dict, "number"));
     const point lower(dict.get<point>("min")), upper(dict.get<point>("max"));
     const scalar gap = dict.lookupOrDefault<scalar>("gap", 0);
@@ -101,7 +107,7 @@ Foam::pointField Foam::bodyPlacement::positions
 (
     const dictionary& dict,
     const scalar radius,
-    const UPtrList<immersedBody>& others,
+    const placedBodies& before,
     autoPtr<Random>& random
 ) const
 {
@@ -135,16 +141,10 @@ Foam::pointField Foam::bodyPlacement::positions
     {
         return randomPositions
         (
-            dict.subDict("random"), radius, others, *random
+            dict.subDict("random"), radius, before, *random
         );
     }
 
-    return readFile(dict);
-}
-
-
-Foam::pointField Foam::bodyPlacement::readFile(const dictionary& dict) const
-{
     fileName file(dict.get<fileName>("positionsFile"));
     file.expand();
     IFstream is(file.isAbsolute() ? file : root_/file);
@@ -184,46 +184,37 @@ void Foam::bodyPlacement::check(const dictionary& dict, const entry& e)
 }
 
 
-Foam::label Foam::bodyPlacement::nListed(const dictionary& dict) const
+void Foam::bodyPlacement::checkNames
+(
+    const dictionary& dict,
+    const placedBodies& all
+)
 {
-    label n = 0;
-
-    for (const entry& e : dict)
+    for (const placedBodies::entry& e : all.entries())
     {
-        check(dict, e);
+        for (const label place : all.before(e.name))
+        {
+            const placedBodies::entry& other = all.entries()[place];
 
-        const dictionary& bodyDict = e.dict();
-
-        if (bodyDict.found("random"))
-        {
-            return -1;
-        }
-        if (bodyDict.found("positionsFile"))
-        {
-            n += readFile(bodyDict).size();
-        }
-        else
-        {
-            n += bodyDict.lookupOrDefault
-            (
-                "positions", pointField(1)
-            ).size();
+            forAll(e.positions, i)
+            {
+                if (other.find(e.nameOf(i)) >= 0)
+                {
+                    FatalIOErrorInFunction(dict)
+                        << "The entries '" << other.name << "' and '"
+                        << e.name << "' both have a body '" << e.nameOf(i)
+                        << "': give one of them another name" << nl
+                        << exit(FatalIOError);
+                }
+            }
         }
     }
-
-    return n;
 }
 
 
-Foam::label Foam::bodyPlacement::place
-(
-    const dictionary& dict,
-    PtrList<immersedBody>& bodies,
-    std::vector<std::shared_ptr<const bodyKind>>& kinds,
-    const std::function<bool(const point&)>& here
-) const
+Foam::placedBodies Foam::bodyPlacement::place(const dictionary& dict) const
 {
-    label number = 0;
+    placedBodies all;
 
     for (const entry& e : dict)
     {
@@ -237,50 +228,37 @@ Foam::label Foam::bodyPlacement::place
         autoPtr<Random> random(bodyOrientation::generator(bodyDict));
         const pointField x
         (
-            positions(bodyDict, shape->boundingRadius(), bodies, random)
+            positions(bodyDict, shape->boundingRadius(), all, random)
         );
         const bool turned = bodyOrientation::isRandom(bodyDict);
-        const bool single = x.size() == 1 && bodyDict.found("position");
+        List<quaternion> orientations(turned ? x.size() : 1);
 
-        kinds.push_back
-        (
-            std::make_shared<const bodyKind>(bodyDict, shape, space_, rho_)
-        );
-
-        label n = bodies.size();
-
-        bodies.resize(n + std::count_if(x.begin(), x.end(), here));
-
-        forAll(x, i)
+        for (quaternion& q : orientations)
         {
-            // Others are drawn as well: all ranks draw the same
-            const quaternion orientation
-            (
-                turned
+            q = turned
               ? bodyOrientation::draw(*random, space_)
-              : bodyOrientation::read(bodyDict, space_)
-            );
-
-            if (here(x[i]))
-            {
-                const word name
-                (
-                    single
-                  ? word(e.keyword())
-                  : word(e.keyword() + Foam::name(i + 1))
-                );
-
-                bodies.set
-                (
-                    n, new immersedBody(name, kinds.back(), x[i], orientation)
-                );
-                bodies[n++].setNumber(number);
-            }
-            ++number;
+              : bodyOrientation::read(bodyDict, space_);
         }
+
+        all.append
+        (
+            {
+                e.keyword(),
+                std::make_shared<const bodyKind>
+                (
+                    bodyDict, shape, space_, rho_
+                ),
+                x.size() == 1 && bodyDict.found("position"),
+                x,
+                orientations,
+                0
+            }
+        );
     }
 
-    return number;
+    checkNames(dict, all);
+
+    return all;
 }
 
 
@@ -290,7 +268,11 @@ void Foam::bodyPlacement::place
     PtrList<immersedBody>& bodies
 ) const
 {
-    std::vector<std::shared_ptr<const bodyKind>> kinds;
+    const placedBodies all(place(dict));
 
-    place(dict, bodies, kinds, [](const point&) { return true; });
+    bodies.resize(all.size());
+    forAll(bodies, i)
+    {
+        bodies.set(i, all.make(i));
+    }
 }

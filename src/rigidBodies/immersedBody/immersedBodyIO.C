@@ -67,8 +67,6 @@ void Foam::immersedBody::writeState(Ostream& os) const
     const geometricSpace& space = kind_->space();
     const bodyFreedom all(space.translation(), space.rotation());
 
-    os.beginBlock(name_);
-
     os.writeEntry("number", number_);
     os.writeEntry("volume", volume());
     if (origin_)
@@ -122,7 +120,5 @@ void Foam::immersedBody::writeState(Ostream& os) const
 
     os.beginBlock("old");
     motion_.old().write(os);
-    os.endBlock();
-
     os.endBlock();
 }

@@ -53,6 +53,22 @@ bool Foam::uniformState::found
 }
 
 
+Foam::autoPtr<Foam::ISstream> Foam::uniformState::open
+(
+    const objectRegistry& mesh,
+    const word& name
+)
+{
+    // Not as an IOdictionary: the class in its header is that of the writer
+    IOobject io(object(mesh, name));
+    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
+
+    io.readHeader(is());
+
+    return is;
+}
+
+
 bool Foam::uniformState::read
 (
     const objectRegistry& mesh,
@@ -65,17 +81,15 @@ bool Foam::uniformState::read
         return false;
     }
 
-    IOobject io(object(mesh, name));
-
     if (Pstream::master())
     {
-        // Not as an IOdictionary: the class in its header is that of the writer
-        autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
-        io.readHeader(is());
-        state = dictionary(io.objectPath(), dictionary::null, is());
+        state = dictionary
+        (
+            path(mesh, name), dictionary::null, open(mesh, name)()
+        );
     }
     compat::broadcast(state);
-    state.name() = io.objectPath();
+    state.name() = path(mesh, name);
 
     return true;
 }

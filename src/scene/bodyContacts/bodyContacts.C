@@ -34,6 +34,7 @@ Foam::bodyContacts::bodyContacts
             dict.subOrEmptyDict("contact"), fluid.rho(), lubrication_()
         )
     ),
+    mayBeSpread_(model_->follow(bodies.share())),
     sleep_(dict, bodies, fluid.g(), model_->active(), window),
     proximity_(mesh, periods, model_())
 {
@@ -85,17 +86,27 @@ void Foam::bodyContacts::updateSleep(const scalar dt)
 }
 
 
-void Foam::bodyContacts::readState(const dictionary& dict)
+void Foam::bodyContacts::readState
+(
+    const bodyList& bodies,
+    const label bodyi,
+    const dictionary& dict
+)
 {
-    model_->readState(dict);
-    sleep_.readState(dict);
+    model_->readState(bodies[bodyi], dict);
+    sleep_.readState(bodyi, dict);
 }
 
 
-void Foam::bodyContacts::writeState(Ostream& os) const
+void Foam::bodyContacts::writeState
+(
+    Ostream& os,
+    const bodyList& bodies,
+    const label bodyi
+) const
 {
-    model_->writeState(os);
-    sleep_.writeState(os);
+    model_->writeState(os, bodies[bodyi]);
+    sleep_.writeState(os, bodyi);
 }
 
 

@@ -89,21 +89,9 @@ bool Foam::bodyHandover::pays(const label nHeld) const
 }
 
 
-void Foam::bodyHandover::settle(const scalar dt)
+void Foam::bodyHandover::decide()
 {
-    if (!share_.spread())
-    {
-        return;
-    }
-
-    // Those that a rank begins with may be in a cell of another, which has a
-    // copy after the first time
-    for (label times = 0; times < 2; ++times)
-    {
-        hand(dt);
-        drop();
-    }
-    if (may_ && allCan() && pays(bodies_.size()))
+    if (may_ && allCan() && (share_.wasSpread() || pays(bodies_.size())))
     {
         report();
     }

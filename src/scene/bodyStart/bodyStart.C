@@ -3,7 +3,6 @@
 #include "bodyStart.H"
 #include "bodyHandover.H"
 #include "bodyPlacement.H"
-#include "rankBounds.H"
 
 Foam::bodyStart::bodyStart
 (
@@ -14,44 +13,69 @@ Foam::bodyStart::bodyStart
     const bool known
 )
 :
+    time_(mesh.time()),
+    placed_
+    (
+        bodyPlacement(space, time_.globalPath(), rho).place
+        (
+            dict.subOrEmptyDict("bodies")
+        )
+    ),
+    bounds_(mesh),
     nSpread_(-1)
 {
-    const Time& time = mesh.time();
-    const dictionary& entries = dict.subOrEmptyDict("bodies");
-    const bodyPlacement placement(space, time.globalPath(), rho);
-
-    // Names and numbers of all are needed where others enter
-    const bool own =
-        Pstream::parRun() && !known
-     && dict.subOrEmptyDict("injection").empty()
-     && dict.subOrEmptyDict("window").empty()
-     && placement.nListed(entries) >= bodyHandover::fewest();
-
-    if (own)
+    if (known)
     {
-        const rankBounds bounds(mesh);
-
-        nSpread_ = placement.place
-        (
-            entries, bodies_, kinds_,
-            [&](const point& x)
-            {
-                return bounds.nearest(x) == Pstream::myProcNo();
-            }
-        );
-    }
-    else
-    {
-        placement.place
-        (
-            entries, bodies_, kinds_, [](const point&) { return true; }
-        );
+        return;
     }
 
-    for (immersedBody& body : bodies_)
+    if (Pstream::parRun() && placed_.size() >= bodyHandover::fewest())
     {
-        // Wrong ones that start from zero are refused here as well
-        body.prescribe(time.value() + time.deltaTValue());
-        body.startPrescribed(time.value());
+        nSpread_ = placed_.size();
     }
+
+    DynamicList<label> mine(placed_.size());
+
+    for (label number = 0; number < placed_.size(); ++number)
+    {
+        if (nSpread_ < 0 || nearest(placed_.position(number)))
+        {
+            mine.append(number);
+        }
+    }
+
+    bodies_.resize(mine.size());
+    forAll(mine, i)
+    {
+        bodies_.set(i, make(mine[i]));
+    }
+}
+
+
+std::vector<std::shared_ptr<const Foam::bodyKind>>
+Foam::bodyStart::kinds() const
+{
+    std::vector<std::shared_ptr<const bodyKind>> kinds;
+
+    for (const placedBodies::entry& e : placed_.entries())
+    {
+        kinds.push_back(e.kind);
+    }
+
+    return kinds;
+}
+
+
+Foam::autoPtr<Foam::immersedBody> Foam::bodyStart::make
+(
+    const label number
+) const
+{
+    autoPtr<immersedBody> body(placed_.make(number));
+
+    // Wrong ones that start from zero are refused here as well
+    body->prescribe(time_.value() + time_.deltaTValue());
+    body->startPrescribed(time_.value());
+
+    return body;
 }

@@ -68,9 +68,12 @@ Foam::immersedBodies::immersedBodies
         uniformState::found(mesh, typeName)
     ),
     bodies_(std::move(start_.bodies()), start_.nSpread()),
-    passage_(new bodyPassage(dict_, space_, mesh, fluid_.rho(), bodies_)),
+    passage_
+    (
+        new bodyPassage(dict_, space_, mesh, fluid_.rho(), start_.placed())
+    ),
     clock_(mesh.time().value()),
-    window_(dict.subOrEmptyDict("window"), mesh, bodies_),
+    window_(dict.subOrEmptyDict("window"), mesh, start_.placed()),
     h_(bodies_),
     oldH_(bodies_),
     contacts_
@@ -126,7 +129,7 @@ Foam::immersedBodies::immersedBodies
             unresolved_->coupling().kernels(),
             periodicity_,
             contacts_->wallMargin(),
-            contacts_->follow(bodies_.share())
+            contacts_->mayBeSpread()
         )
     ),
     resolution_
@@ -159,8 +162,9 @@ Foam::immersedBodies::immersedBodies
     }
 
     resolution_->choose(restarted_);
-    handover_->settle(mesh.time().deltaTValue());
+    settle();
     resolution_->start(restarted_);
+    start_.end();
     checkInside();
     h_.checkResolution(bodies_, bodies);
     checkGaps();

@@ -4,49 +4,7 @@
 #include "bodiesInOrder.H"
 #include "bodyContacts.H"
 #include "bodyPassage.H"
-#include "uniformState.H"
 #include "unresolvedBodies.H"
-
-bool Foam::immersedBodies::readState()
-{
-    dictionary states;
-
-    if (!uniformState::read(mesh_, typeName, states))
-    {
-        if (mesh_.time().value() > 0)
-        {
-            WarningInFunction
-                << "There is no state of the bodies, "
-                << uniformState::path(mesh_, typeName)
-                << ": they begin at the positions and velocities in "
-                << dict_.name() << ", in the fluid of this time" << nl << endl;
-        }
-        wrapPositions();
-
-        return false;
-    }
-
-    states.readIfPresent("time", clock_);
-    window_.readState(states.subDict("window"));
-
-    passage_->readState(states, bodies_);
-    contacts_->readState(states);
-    crowd_.readState(states);
-    bodies_.share().readState(states);
-
-    const scalarList h
-    (
-        states.lookupOrDefault<scalarList>("cellSizes", scalarList())
-    );
-
-    if (h.size() == h_.size())
-    {
-        h_ = h;
-    }
-
-    return true;
-}
-
 
 void Foam::immersedBodies::report(Ostream& os) const
 {
@@ -126,19 +84,6 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
     crowd_.writeState(os);
     bodies_.share().writeState(os);
 
-    // As text, whatever the format
-    os.writeKeyword("cellSizes") << token::BEGIN_LIST;
-
-    bodiesInOrder::write
-    (
-        bodies_, os,
-        [&](Ostream& os, const label bodyi)
-        {
-            os  << token::SPACE << h_[bodyi];
-        }
-    );
-    os  << token::SPACE << token::END_LIST << token::END_STATEMENT << nl;
-
     os.beginBlock("bodies");
 
     bodiesInOrder::write
@@ -146,7 +91,11 @@ bool Foam::immersedBodies::writeData(Ostream& os) const
         bodies_, os,
         [&](Ostream& os, const label bodyi)
         {
+            os.beginBlock(bodies_[bodyi].name());
             bodies_[bodyi].writeState(os);
+            os.writeEntry("cellSize", h_[bodyi]);
+            contacts_->writeState(os, bodies_, bodyi);
+            os.endBlock();
         }
     );
 

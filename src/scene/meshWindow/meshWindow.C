@@ -9,7 +9,7 @@ Foam::meshWindow::meshWindow
 (
     const dictionary& dict,
     const fvMesh& mesh,
-    const bodyList& bodies
+    const placedBodies& placed
 )
 :
     comoving_
@@ -38,9 +38,9 @@ Foam::meshWindow::meshWindow
 
     wordList names({"centroid"});
 
-    for (const immersedBody& body : bodies)
+    for (label number = 0; number < placed.size(); ++number)
     {
-        names.append(body.name());
+        names.append(placed.name(number));
     }
 
     follow_ = keywords::choice(dict, "follow", names, "centroid");

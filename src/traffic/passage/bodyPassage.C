@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyPassage.H"
-#include "bodyShare.H"
 #include "checkKeywords.H"
 
 namespace
@@ -42,12 +41,12 @@ Foam::bodyPassage::bodyPassage
     const geometricSpace& space,
     const fvMesh& mesh,
     const scalar rho,
-    const bodyList& bodies
+    const placedBodies& placed
 )
 :
     mesh_(mesh),
     leaving_(dict.subOrEmptyDict("leaving"), mesh),
-    nextNumber_(bodies.share().nAll()),
+    nextNumber_(placed.size()),
     table_(mesh)
 {
     const dictionary& injection = dict.subOrEmptyDict("injection");
@@ -66,7 +65,7 @@ Foam::bodyPassage::bodyPassage
             new injector(e.keyword(), e.dict(), space, mesh, rho)
         );
     }
-    checkNames(injection, bodies);
+    checkNames(injection, placed);
 
     if (leaving_.active() || injects())
     {
@@ -79,7 +78,7 @@ Foam::bodyPassage::bodyPassage
 void Foam::bodyPassage::checkNames
 (
     const dictionary& dict,
-    const PtrList<immersedBody>& bodies
+    const placedBodies& placed
 ) const
 {
     // Most scenes have none, and may have many bodies
@@ -88,11 +87,11 @@ void Foam::bodyPassage::checkNames
         return;
     }
 
-    DynamicList<word> names(bodies.size() + injectors_.size());
+    DynamicList<word> names(placed.size() + injectors_.size());
 
-    for (const immersedBody& body : bodies)
+    for (label number = 0; number < placed.size(); ++number)
     {
-        names.append(body.name());
+        names.append(placed.name(number));
     }
     for (const injector& other : injectors_)
     {

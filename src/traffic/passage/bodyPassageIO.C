@@ -2,7 +2,6 @@
 
 #include "bodyPassage.H"
 #include "FlatOutput.H"
-#include "HashTable.H"
 
 Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
 (
@@ -35,65 +34,21 @@ Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
 void Foam::bodyPassage::readState
 (
     const dictionary& states,
-    bodyList& bodies
+    const restoring& restore
 )
 {
-    const dictionary& bodyStates = states.subDict("bodies");
-    PtrList<immersedBody> known(bodies.size()), inMesh;
-    HashTable<label> numbers;
-
-    forAllReverse(known, i)
+    for (const entry& e : states.subOrEmptyDict("waiting"))
     {
-        numbers.insert(bodies.last().name(), i);
-        known.set(i, bodies.take(i).ptr());
-    }
+        autoPtr<immersedBody> body(restore(e.keyword(), e.dict()));
 
-    // In the order there was, which sums over bodies depend on
-    auto read = [&](const dictionary& from, PtrList<immersedBody>& to)
-    {
-        label n = 0;
-
-        to.resize(from.size());
-        for (const entry& e : from)
+        if (body.valid())
         {
-            const dictionary& state = e.dict();
-            autoPtr<immersedBody> body;
-
-            if (state.found("origin"))
-            {
-                body = remake(e.keyword(), state);
-            }
-            else if (numbers.found(e.keyword()))
-            {
-                body = known.release(numbers[e.keyword()]);
-            }
-
-            if (body.valid())
-            {
-                body->readState(state);
-                to.set(n++, body.ptr());
-            }
+            waiting_.append(body.ptr());
         }
-        to.resize(n);
-    };
-
-    read(bodyStates, inMesh);
-    bodies.exchange(std::move(inMesh));
-    read(states.subOrEmptyDict("waiting"), waiting_);
+    }
 
     states.readIfPresent("gone", gone_);
     states.readIfPresent("nextNumber", nextNumber_);
-
-    forAll(known, i)
-    {
-        if (known.set(i) && !gone_.found(known[i].name()))
-        {
-            FatalIOErrorInFunction(states)
-                << "No state of body '" << known[i].name() << "', which"
-                << " constant/immersedBodyProperties has; the bodies here are "
-                << flatOutput(bodyStates.toc()) << nl << exit(FatalIOError);
-        }
-    }
 
     for (injector& one : injectors_)
     {
@@ -121,7 +76,9 @@ void Foam::bodyPassage::writeState(Ostream& os) const
         os.beginBlock("waiting");
         for (const immersedBody& body : waiting_)
         {
+            os.beginBlock(body.name());
             body.writeState(os);
+            os.endBlock();
         }
         os.endBlock();
     }

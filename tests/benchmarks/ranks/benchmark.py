@@ -45,13 +45,18 @@ MONITORING = (
     "--mca", "pml_monitoring_filename", "sent",
 )
 COMMAND = ("foamRun", "-solver", "immersedFluid")
+SURFACES = (
+    "surfaces { type immersedBodySurfaces; libs (immersedBodyFunctionObjects);"
+    " writeControl writeTime; }"
+)
 
 
 class Counted(Result):
     """Runs of a case on so many ranks.
 
-    memory: peak of the largest rank [MB]; sent: by the rank that sends most, in
-    a time step [kB].
+    memory: peak of the largest rank [MB], without files; written, going_on: of
+    runs that write states and surfaces at the end, and that go on from there;
+    sent: by the rank that sends most, in a time step [kB].
     """
 
     def __init__(
@@ -60,20 +65,25 @@ class Counted(Result):
         super().__init__(f"{settings}, {ranks} ranks", D_over_h, cells, MORE)
         path = case.path/"system/controlDict"
         path.write_text(
-            path.read_text().split("functions\n{", 1)[0] + "functions {}\n"
+            path.read_text().split("functions\n{", 1)[0]
+            + f"functions {{ {SURFACES if D_over_h else ''} }}\n"
         )
         if ranks > 1:
             case.decompose(ranks, parts or PARTS[ranks])
-        sent = []
-        for steps in (FEW, MORE):
+        sent, memory = [], []
+        for first, steps, every in (
+            (0, FEW, 1000), (0, MORE, 1000), (0, MORE, MORE),
+            (MORE, FEW, 1000),
+        ):
             case.controls(
-                deltaT=f"{dt:.12g}", endTime=f"{steps*dt:.12g}",
-                startFrom="startTime", writeControl="timeStep",
-                writeInterval=1000,
+                deltaT=f"{dt:.12g}", endTime=f"{(first + steps)*dt:.12g}",
+                startFrom="latestTime" if first else "startTime",
+                writeControl="timeStep", writeInterval=every,
             )
-            memory, _ = TimedRun.execute(case, COMMAND, ranks, MONITORING)
-            self.memory = memory/ranks/1024
+            total, _ = TimedRun.execute(case, COMMAND, ranks, MONITORING)
+            memory.append(total/ranks/1024)
             sent.append(self.bytes(case, ranks))
+        self.memory, self.written, self.going_on = memory[1:]
         self.sent = max(sent[1] - sent[0])/(MORE - FEW)/1000
         times = re.findall(
             r"ExecutionTime = (\S+)", (case.path/"log").read_text()
@@ -98,6 +108,8 @@ class Counted(Result):
 
     def rows(self):
         yield self.row("MB, largest rank", self.memory)
+        yield self.row("MB, if it writes", self.written)
+        yield self.row("MB, if it goes on", self.going_on)
         yield self.row("kB sent per step", self.sent)
 
 
