@@ -67,7 +67,9 @@ def motions(case):
 
 def run_in_parts(at_once, folder, step, steps, n):
     """Run a case on four ranks, in n parts along the axes, at once, and as a
-    copy that stops and goes on in the middle. Returns the copy."""
+    copy that stops and goes on in the middle, from binary files. Returns the
+    copy."""
+    at_once.controls(writeFormat="binary")
     at_once.decompose(4, n)
     parts = BodyCase(at_once, folder, "parts")
     at_once.solve(4)
