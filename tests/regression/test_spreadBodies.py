@@ -319,6 +319,21 @@ def test_files(tmp_path):
     assert re.findall(r"\n    (kind\S+)\n", states[0]) == names
 
 
+def test_ambient(tmp_path):
+    """They begin with the velocity of the flow at their centres."""
+    case = sheared_crowd(tmp_path)
+    case.replace(
+        "constant/immersedBodyProperties", "velocity (1 0.3 0);",
+        "velocity ambient;",
+    )
+    one, _ = check_ranks(case, tmp_path, parts=(2, 2))
+    first = {name: one.columns("motion")[name][:100] for name in (
+        "position_y", "velocity_x"
+    )}
+    flow = 0.1*(first["position_y"] - WIDTH/2)
+    assert np.corrcoef(first["velocity_x"], flow)[0, 1] > 0.9
+
+
 def test_sliding_sides(tmp_path):
     """Some pass the sides that slide."""
     one, _ = check_ranks(sheared_crowd(tmp_path), tmp_path, parts=(2, 2))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyTools.H"
+#include "bodyPacket.H"
 #include "mathematicalConstants.H"
 #include "OStringStream.H"
 
@@ -76,11 +77,20 @@ TEST_CASE("Ambient velocities are taken once", "[immersedBody]")
     SECTION("velocity, and with it the spin")
     {
         immersedBody body(makeBody("densityRatio 2; velocity ambient;"));
-        CHECK(body.needsAmbient());
+        CHECK(body.needsAmbientU());
+
+        // On another rank as well
+        const autoPtr<immersedBody> sent
+        (
+            bodyPacket(body).make(body.name(), body.sharedKind(), nullptr)
+        );
+        CHECK(sent->needsAmbientU());
+        CHECK(sent->needsAmbientOmega());
+
         body.setAmbient(U, omega);
         CHECK(body.state().U == U);
         CHECK(body.state().omega == omega);
-        CHECK_FALSE(body.needsAmbient());
+        CHECK_FALSE(body.needsAmbientU());
 
         body.setAmbient(2*U, 2*omega);
         CHECK(body.state().U == U);
@@ -109,7 +119,7 @@ TEST_CASE("Ambient velocities are taken once", "[immersedBody]")
     SECTION("neither")
     {
         immersedBody body(makeBody("densityRatio 2;"));
-        CHECK_FALSE(body.needsAmbient());
+        CHECK_FALSE(body.needsAmbientU());
         body.setAmbient(U, omega);
         CHECK(body.state().U == vector::zero);
         CHECK(body.state().omega == vector::zero);

@@ -167,7 +167,9 @@ void Foam::meshWalls::collect
 
             forAll(chosen, i)
             {
-                pack(chosen[i], i < nWithin ? key : -1 - key, im, wallU, packed);
+                const label k = i < nWithin ? key : -1 - key;
+
+                pack(chosen[i], k, im, wallU, packed);
             }
         }
     }

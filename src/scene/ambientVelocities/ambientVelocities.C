@@ -2,7 +2,7 @@
 
 #include "ambientVelocities.H"
 #include "ambientFlow.H"
-#include "compat.H"
+#include "bodyShare.H"
 #include "fvcGrad.H"
 
 namespace Foam
@@ -34,7 +34,7 @@ void setFromCells
     const volVectorField& U,
     const cellSearch& search,
     const periodicity& periods,
-    PtrList<immersedBody>& bodies
+    bodyList& bodies
 )
 {
     // Gradients at the cell with the centre, in the mean of those on both sides
@@ -67,9 +67,9 @@ void setFromCells
         }
     }
 
-    compat::allReduce(centreU, plusEqOp<vector>());
-    compat::allReduce(spin, plusEqOp<vector>());
-    compat::allReduce(found, plusEqOp<label>());
+    bodies.share().combine(centreU, plusEqOp<vector>());
+    bodies.share().combine(spin, plusEqOp<vector>());
+    bodies.share().combine(found, plusEqOp<label>());
 
     forAll(bodies, bodyi)
     {
@@ -89,17 +89,18 @@ void Foam::ambientVelocities::set
     const volVectorField& U,
     const cellSearch& search,
     const periodicity& periods,
-    PtrList<immersedBody>& bodies
+    bodyList& bodies
 )
 {
     bool needed = false;
 
     for (const immersedBody& body : bodies)
     {
-        needed = needed || body.needsAmbient();
+        needed =
+            needed || body.needsAmbientU() || body.needsAmbientOmega();
     }
 
-    if (!needed)
+    if (!bodies.share().any(needed))
     {
         return;
     }

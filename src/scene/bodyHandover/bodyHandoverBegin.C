@@ -12,8 +12,8 @@ const Foam::label fewestResolved = 16;
 
 //- Part of all bodies that a rank holds then, at most: copies take as long as
 //  what all ranks do for all. And by how much the part that it moves may exceed
-//  that of equal shares: what it would do for those of others, over what it does
-//  for its own
+//  that of equal shares: what it would do for those of others, over what it
+//  does for its own
 const Foam::scalar mostHeld = 0.65, unequal = 0.1;
 
 } // End anonymous namespace
@@ -25,29 +25,23 @@ Foam::label Foam::bodyHandover::fewest()
 }
 
 
-bool Foam::bodyHandover::allCan() const
+bool Foam::bodyHandover::many() const
 {
     label nResolved = 0, nUnresolved = 0;
-    bool ambient = false;
 
     forAll(bodies_, bodyi)
     {
-        const immersedBody& body = bodies_[bodyi];
-
         if (share_.mine(bodyi))
         {
-            ++(body.resolved() ? nResolved : nUnresolved);
-            ambient = ambient || body.needsAmbient();
+            ++(bodies_[bodyi].resolved() ? nResolved : nUnresolved);
         }
     }
     nResolved = share_.total(nResolved);
     nUnresolved = share_.total(nUnresolved);
 
-    const bool many =
-        nResolved >= fewest()
+    return
+        share_.wasSpread() || nResolved >= fewest()
      || nUnresolved >= fewestUnresolved*Pstream::nProcs();
-
-    return !share_.any(ambient) && (many || share_.wasSpread());
 }
 
 
@@ -91,7 +85,7 @@ bool Foam::bodyHandover::pays(const label nHeld) const
 
 void Foam::bodyHandover::decide()
 {
-    if (may_ && allCan() && (share_.wasSpread() || pays(bodies_.size())))
+    if (may_ && many() && (share_.wasSpread() || pays(bodies_.size())))
     {
         report();
     }
@@ -119,7 +113,7 @@ void Foam::bodyHandover::beginStep(const scalar dt)
 {
     if
     (
-        share_.spread() || !may_ || !look_ || !Pstream::parRun() || !allCan()
+        share_.spread() || !may_ || !look_ || !Pstream::parRun() || !many()
     )
     {
         return;

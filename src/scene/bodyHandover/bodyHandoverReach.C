@@ -6,8 +6,8 @@
 namespace
 {
 
-//- What a body may go in a time step beyond twice that of the fastest, as far as
-//  contact looks, over the largest radius
+//- What a body may go in a time step beyond twice that of the fastest, as far
+//  as contact looks, over the largest radius
 const Foam::scalar spareWay = 0.25;
 
 } // End anonymous namespace
