@@ -2,6 +2,7 @@
 
 #include "meshLayers.H"
 #include "compat.H"
+#include "volFields.H"
 
 Foam::meshLayers::meshLayers
 (
