@@ -201,6 +201,25 @@ def test_restart_is_exact(tmp_path):
         assert a == b, name
 
 
+def test_goes_on_from_collated_files(tmp_path):
+    """One file for all ranks, of which each reads a part."""
+    handler = ("-fileHandler", "collated")
+    at_once = rain(tmp_path)
+    parts = BodyCase(at_once, tmp_path, "parts")
+    at_once.solve(1)
+
+    parts.replace("system/decomposeParDict", "Subdomains 2", "Subdomains 4")
+    parts.replace("system/decomposeParDict", "(2 1 1)", "(1 1 4)")
+    parts.run("decomposePar", *handler)
+    for end in (4*STEP, 8*STEP):
+        parts.controls(endTime=end)
+        log = parts.run("foamRun", *handler, ranks=4)
+        assert "Bodies are spread over the ranks: 2200" in log
+    assert motions(parts) == pytest.approx(
+        motions(at_once), rel=1e-7, abs=1e-7
+    )
+
+
 @pytest.mark.parametrize("speed, contact, message", [
     (12, "", "a body has left the mesh"),
     (8, "largestOverlap 0.01;", "bodies overlap: "),

@@ -18,11 +18,11 @@ Foam::stateFile::stateFile
     const word& last
 )
 :
-    path_(uniformState::path(mesh, name))
+    path_(uniformState::path(mesh, name)),
+    is_(uniformState::open(mesh, name))
 {
     if (Pstream::master())
     {
-        is_ = uniformState::open(mesh, name);
         readEntries(top_, last, labelMax);
 
         // Of a file without that block, the next is the end of the file

@@ -26,6 +26,25 @@ Foam::IOobject object
     );
 }
 
+
+//- What a file is of, for those that open it
+class saved
+:
+    public Foam::regIOobject
+{
+public:
+
+    explicit saved(const Foam::IOobject& io)
+    :
+        regIOobject(io)
+    {}
+
+    virtual bool writeData(Foam::Ostream&) const
+    {
+        return false;
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -60,12 +79,12 @@ Foam::autoPtr<Foam::ISstream> Foam::uniformState::open
 )
 {
     // Not as an IOdictionary: the class in its header is that of the writer
-    IOobject io(object(mesh, name));
-    autoPtr<ISstream> is(fileHandler().NewIFstream(io.objectPath()));
+    saved io(object(mesh, name));
 
-    io.readHeader(is());
-
-    return is;
+    return fileHandler().readStream
+    (
+        io, fileHandler().filePath(false, io, word::null), word::null, true
+    );
 }
 
 
@@ -81,12 +100,11 @@ bool Foam::uniformState::read
         return false;
     }
 
+    autoPtr<ISstream> is(open(mesh, name));
+
     if (Pstream::master())
     {
-        state = dictionary
-        (
-            path(mesh, name), dictionary::null, open(mesh, name)()
-        );
+        state = dictionary(path(mesh, name), dictionary::null, is());
     }
     compat::broadcast(state);
     state.name() = path(mesh, name);
