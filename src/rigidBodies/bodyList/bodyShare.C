@@ -79,7 +79,7 @@ void Foam::bodyShare::set
 
 void Foam::bodyShare::readState(const dictionary& dict)
 {
-    wasSpread_ = dict.lookupOrDefault("spread", false);
+    wasSpread_ = dict.lookupOrDefault("ownBodies", false);
 }
 
 
@@ -87,7 +87,7 @@ void Foam::bodyShare::writeState(Ostream& os) const
 {
     if (spread_)
     {
-        os.writeEntry("spread", true);
+        os.writeEntry("ownBodies", true);
     }
 }
 
