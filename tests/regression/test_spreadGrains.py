@@ -242,3 +242,13 @@ def test_a_run_stops(speed, contact, message, tmp_path):
         case.path/"processor0"/time/"uniform/immersedBodies"
     ).read_text()
     assert state.count("number ") == 2200
+
+
+def test_a_grain_outside_is_refused(tmp_path):
+    """However far away: nobody looks for its images there."""
+    case = rain(tmp_path)
+    path = case.path/"constant/grains"
+    first, rest = path.read_text().split(")", 1)
+    path.write_text(f"{first.rsplit(' ', 1)[0]} 900){rest}")
+    with pytest.raises(FoamError, match="'grain1' is outside the mesh"):
+        case.solve(4, PARTS[4])

@@ -162,6 +162,7 @@ Foam::immersedBodies::immersedBodies
     }
 
     resolution_->choose(restarted_);
+    checkBounds();
     settle();
     resolution_->start(restarted_);
     start_.end();

@@ -4,6 +4,35 @@
 #include "bodyContacts.H"
 #include "bodyPassage.H"
 
+void Foam::immersedBodies::refuseOutside(const immersedBody& body) const
+{
+    FatalIOErrorInFunction(dict_.subDict("bodies"))
+        << "'position " << body.state().position << "' of body '"
+        << body.name() << "' is outside the mesh, whose bounds are "
+        << mesh_.bounds() << nl << exit(FatalIOError);
+}
+
+
+void Foam::immersedBodies::checkBounds() const
+{
+    const scalar hMax = region().search().hMax();
+
+    for (const immersedBody& body : bodies_)
+    {
+        const point& x = body.state().position;
+        const scalar reach = bodyRegion::reach
+        (
+            body, region().resistance().bandWidth(), hMax
+        );
+
+        if (mag(x - mesh_.bounds().nearest(x)) > hMax + reach)
+        {
+            refuseOutside(body);
+        }
+    }
+}
+
+
 void Foam::immersedBodies::checkInside() const
 {
     const cellSearch& search = region().search();
@@ -40,11 +69,7 @@ void Foam::immersedBodies::checkInside() const
     {
         if (!found[bodyi])
         {
-            FatalIOErrorInFunction(dict_.subDict("bodies"))
-                << "'position " << bodies_[bodyi].state().position
-                << "' of body '" << bodies_[bodyi].name()
-                << "' is outside the mesh, whose bounds are "
-                << mesh_.bounds() << nl << exit(FatalIOError);
+            refuseOutside(bodies_[bodyi]);
         }
     }
 }
