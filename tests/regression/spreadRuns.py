@@ -7,16 +7,6 @@ import numpy as np
 
 from bodyCase import BodyCase
 
-# A function object that needs all bodies on all ranks in each time step
-TOGETHER = """functions
-{
-    averages
-    {
-        type    bodyAverages;
-        libs    (immersedBodyFunctionObjects);
-        kernel  { type topHat; radius 1; }
-    }
-"""
 SURFACES = """functions
 {
     surfaces

@@ -14,7 +14,7 @@ from contactCase import box2d, discs
 from spreadCrowd import (
     FILMS, PROJECTIONS, WIDTH, check_ranks, crowd, state_of,
 )
-from spreadRuns import TOGETHER, motions, write_twice
+from spreadRuns import motions, write_twice
 
 
 @pytest.mark.parametrize("model", [
@@ -78,7 +78,10 @@ def test_projected_heap(model, tmp_path):
     as they do where all ranks have all, in the same flow."""
     spread = heap(tmp_path, PROJECTIONS[model])
     together = BodyCase(spread, tmp_path, "together")
-    together.replace("system/controlDict", "functions\n{", TOGETHER)
+    together.replace(
+        "constant/immersedBodyProperties", "contact {",
+        "coupling { spread no; } contact {",
+    )
     log, _ = (case.solve(4, (4, 1, 1)) for case in (spread, together))
     assert "Bodies are spread over the ranks: 189" in log
     assert "complementarity" not in log

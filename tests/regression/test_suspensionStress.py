@@ -162,6 +162,38 @@ def test_two_that_are_pressed_onto_each_other(tmp_path):
     assert row["leastGap"] == pytest.approx(x[1] - x[0] - 0.5, abs=1e-9)
 
 
+@pytest.mark.parametrize("off", [0.34, 0])
+def test_contact_beside_a_plane_of_symmetry(off, tmp_path):
+    """Of one on the plane with one off it the whole is in the mesh, with one that
+    is on it too half of it."""
+    case = sheared_box(tmp_path, "box", 2, 32, 1, rate=0)
+    plane = "bottom { type symmetryPlane; }"
+    case.replace(
+        "system/blockMeshDict", "bottom { type wall",
+        "bottom { type symmetryPlane",
+    )
+    case.run("blockMesh")
+    for field, old in (("U", "top     {"), ("p", '"bottom|top"')):
+        case.replace(f"0/{field}", old, f"{plane} {old}")
+    case.replace("0/U", "bottom  {", "unused {")
+    case.replace("0/p", '"bottom|top"', "top")
+
+    apart = np.array([np.sqrt(0.48**2 - off**2), off])
+    places = [(-0.2, -0.5), (apart[0] - 0.2, off - 0.5)]
+    case.bodies("".join(
+        DISC.format(0.25, 1000, f"({x} {y} 0)").replace("disc\n", f"disc{i}\n")
+        for i, (x, y) in enumerate(places)
+    ), CONTACT)
+    row = run(case, 0.001, 0.001)
+    force = np.array([
+        case.table("forces", 1)[f"contactForce_{axis}"][-1] for axis in "xy"
+    ])
+
+    assert np.linalg.norm(force) > 1
+    assert np.diag(part(row, "contact"))[:2] == pytest.approx(
+        -(1 if off else 0.5)*force*apart/(2*1*0.1), rel=0.01)
+
+
 @pytest.mark.parametrize("half, ranks", [
     (0.24985, 1), (0.24985, 2), (0.24985, 4), (0.2498, 1)
 ])

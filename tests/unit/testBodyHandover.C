@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "grainStream.H"
+#include "bodyHandover.H"
 #include "bodyPacket.H"
 #include "HashSet.H"
 
@@ -68,17 +69,18 @@ TEST_CASE("Bodies go from rank to rank as they move", "[bodies]")
 }
 
 
-TEST_CASE("Spread bodies are united", "[bodies]")
+TEST_CASE("Bodies that are not to be spread are united", "[bodies]")
 {
-    Stream stream;
+    Stream stream("spread no;");
     const bodyShare& share = stream.bodies.list().share();
+
+    CHECK(!share.spread());
+    REQUIRE(stream.bodies.size() == stream.n);
 
     for (label i = 0; i < 5; ++i)
     {
         stream.step();
     }
-    CHECK(stream.bodies.keepTogether() == Pstream::parRun());
-
     CHECK(!share.spread());
     REQUIRE(stream.bodies.size() == stream.n);
 
@@ -97,10 +99,64 @@ TEST_CASE("Spread bodies are united", "[bodies]")
     }
     CHECK(all);
     CHECK(worst < 1e-9);
+}
 
-    // For good
+
+TEST_CASE("Bodies of other ranks around the own ones", "[bodies]")
+{
+    Stream stream;
+    const bodyShare& share = stream.bodies.list().share();
+
     stream.step();
-    CHECK(!share.spread());
+
+    // Far beyond what is held, across cyclic patches as well
+    for (const scalar gap : {0.5, 0.75*perPart, 3.0*perPart})
+    {
+        const PtrList<immersedBody> others
+        (
+            stream.bodies.handover().around(gap)
+        );
+        label nThere = 0, last = -1;
+        scalar worst = 0;
+        bool ordered = true;
+
+        for (const immersedBody& other : others)
+        {
+            worst = max
+            (
+                worst,
+                mag(other.state().position - stream.placeOf(other, 1))
+            );
+            ordered = ordered && other.number() > last;
+            last = other.number();
+        }
+        CHECK(ordered);
+        CHECK(worst < 1e-9);
+
+        // None is missing of those that are so near to an own one
+        for (label number = 0; number < stream.n; ++number)
+        {
+            const vector U(number < stream.n/3 ? 41 : -11, 0, 0);
+            const point x(stream.start[number] + dt*U);
+            bool near = false, mine = false;
+
+            forAll(stream.bodies.list(), i)
+            {
+                const vector apart(stream.bodies[i].state().position - x);
+                const scalar along = std::remainder(apart.x(), stream.length);
+
+                if (share.mine(i))
+                {
+                    mine = mine || stream.bodies[i].number() == number;
+                    near = near
+                     || mag(vector(along, apart.y(), apart.z())) < gap;
+                }
+            }
+            nThere += near && !mine;
+        }
+        CHECK((others.size() >= nThere || !share.spread()));
+        CHECK((share.spread() || others.empty()));
+    }
 }
 
 

@@ -48,14 +48,11 @@ TEST_CASE("Ranks combine what they have of the same bodies", "[bodies]")
     // Where all hold all, and where they are spread
     for (const bool spread : {false, true})
     {
-        Stream stream;
+        Stream stream(spread ? "" : "spread no;");
         const bodyList& bodies = stream.bodies.list();
         const bodyShare& share = bodies.share();
 
-        if (!spread)
-        {
-            stream.bodies.keepTogether();
-        }
+        CHECK(share.spread() == (spread && Pstream::parRun()));
 
         // Of some bodies: one, and the number of a body times that of the rank
         DynamicList<label> listed;

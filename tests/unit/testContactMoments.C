@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactTools.H"
+#include "exchange.H"
 
 using namespace Foam;
 using contactTools::Scene;
@@ -11,7 +12,7 @@ namespace
 
 const std::string sphere("type sphere; radius 0.5;");
 
-//- Sum of the moments of contact, or of films
+//- Sum of the moments of contact, or of films. Collective.
 tensor sum(Scene& scene, const scalar dt, const bool film = false)
 {
     tensor total(Zero);
@@ -21,7 +22,7 @@ tensor sum(Scene& scene, const scalar dt, const bool film = false)
         total += film ? pair.film : pair.contact;
     }
 
-    return total;
+    return returnReduce(total, sumOp<tensor>());
 }
 
 } // End anonymous namespace
@@ -86,7 +87,10 @@ TEST_CASE("Moments are those of the force between images", "[contact]")
     scene.add(sphere, {2.497, 0.5, 0.5}, {1, 0, 0});
     scene.step(dt);
 
-    const DynamicList<contactModel::pairMoment> all(scene.model().moments(dt));
+    const List<contactModel::pairMoment> all
+    (
+        gatherAll<contactModel::pairMoment>(scene.model().moments(dt))
+    );
 
     REQUIRE(all.size() == 1);
     CHECK(mag(all[0].shift.x()) == 3);

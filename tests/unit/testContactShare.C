@@ -109,7 +109,7 @@ std::string stateOf(Heap& heap)
 }
 
 
-//- The sum of all moments of contact
+//- The sum of all moments of contact. Collective.
 tensor momentsOf(Heap& heap, const scalar dt)
 {
     tensor sum(Zero);
@@ -119,7 +119,7 @@ tensor momentsOf(Heap& heap, const scalar dt)
         sum += pair.contact;
     }
 
-    return sum;
+    return returnReduce(sum, sumOp<tensor>());
 }
 
 } // End anonymous namespace

@@ -142,6 +142,15 @@ Foam::historyContact<Record>::moments(const scalar dt) const
 {
     DynamicList<pairMoment> all;
 
+    if
+    (
+        Pstream::parRun() && !Pstream::master() && !movers_.ranks().shared()
+    )
+    {
+        // The master has all
+        return all;
+    }
+
     for (const candidate& c : candidates())
     {
         if (c.meeting < 0 || !movers_.mine(c))
@@ -158,11 +167,6 @@ Foam::historyContact<Record>::moments(const scalar dt) const
         {
             all.append(pair);
         }
-    }
-
-    if (movers_.ranks().shared())
-    {
-        all = gatherAll(all);
     }
 
     return all;

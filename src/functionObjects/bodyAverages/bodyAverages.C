@@ -3,9 +3,9 @@
 #include "bodyAverages.H"
 #include "addToRunTimeSelectionTable.H"
 #include "bodyFunctionObject.H"
+#include "bodyShare.H"
 #include "bodyTractions.H"
 #include "checkKeywords.H"
-#include "contactModel.H"
 #include "kernelSums.H"
 #include "mathematicalConstants.H"
 #include "meshProperties.H"
@@ -29,15 +29,13 @@ Foam::functionObjects::bodyAverages::bodyAverages
 :
     fvMeshFunctionObject(name, runTime, dict),
     tableFile(mesh_, name, typeName, dict),
-    bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
+    bodies_(bodyFunctionObject::actingIn(mesh_, name, "averages")),
     diameter_(-1),
     direction_(Zero),
     nLayers_(0),
     withFields_(true)
 {
     read(dict);
-    bodies_.region().loads().keepForces();
-    bodyFunctionObject::resolvedOnly(bodies_, name, "averages");
 }
 
 
@@ -76,16 +74,20 @@ bool Foam::functionObjects::bodyAverages::read(const dictionary& dict)
 Foam::scalar Foam::functionObjects::bodyAverages::meanDiameter() const
 {
     const scalar pi = constant::mathematical::pi;
+    const bodyShare& share = bodies_.list().share();
     scalar sum = 0;
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
-        const scalar size = bodies_[bodyi].shape().volume();
+        if (share.mine(bodyi))
+        {
+            const scalar size = bodies_[bodyi].shape().volume();
 
-        sum += bodies_.space().twoD() ? sqrt(4*size/pi) : cbrt(6*size/pi);
+            sum += bodies_.space().twoD() ? sqrt(4*size/pi) : cbrt(6*size/pi);
+        }
     }
 
-    return sum/max(bodies_.size(), 1);
+    return share.total(sum)/max(bodies_.nBodies(), 1);
 }
 
 
@@ -95,13 +97,19 @@ void Foam::functionObjects::bodyAverages::report
     const scalarField& means
 ) const
 {
+    const bodyShare& share = bodies_.list().share();
     scalar exact = 0, inCells = 0, averaged = 0;
 
     for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
     {
-        exact += bodies_[bodyi].volume()/bodies_.loads().nParts(bodyi);
-        inCells += fractions.volume(bodyi);
+        if (share.mine(bodyi))
+        {
+            exact += bodies_[bodyi].volume()/bodies_.loads().nParts(bodyi);
+            inCells += fractions.volume(bodyi);
+        }
     }
+    exact = share.total(exact);
+    inCells = share.total(inCells);
     forAll(mesh_.V(), celli)
     {
         averaged += mesh_.V()[celli]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyFractions.H"
-#include "compat.H"
+#include "bodyShare.H"
 
 namespace
 {
@@ -46,7 +46,7 @@ Foam::Pair<Foam::scalarField> Foam::bodyFractions::set
 
     for (scalarField& sum : sums)
     {
-        compat::allReduce(sum, plusEqOp<scalar>());
+        bodies_.list().share().combine(sum, plusEqOp<scalar>());
     }
 
     return sums;

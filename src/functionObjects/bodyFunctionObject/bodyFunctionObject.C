@@ -49,42 +49,24 @@ Foam::immersedBodies& Foam::functionObjects::bodyFunctionObject::sceneOf
 
 
 const Foam::immersedBodies&
-Foam::functionObjects::bodyFunctionObject::bodiesOf
+Foam::functionObjects::bodyFunctionObject::actingIn
 (
     const fvMesh& mesh,
-    const word& name
-)
-{
-    immersedBodies& bodies = sceneOf(mesh, name);
-
-    const Time& time = mesh.time();
-
-    // Before the first time step there is none
-    if (bodies.keepTogether() && time.timeIndex() > time.startTimeIndex())
-    {
-        WarningInFunction
-            << "Function object '" << name << "' has been added while bodies"
-            << " were spread over the ranks: it sees no contact between them"
-            << " before the next time step" << nl << endl;
-    }
-
-    return bodies;
-}
-
-
-void Foam::functionObjects::bodyFunctionObject::resolvedOnly
-(
-    const immersedBodies& bodies,
     const word& name,
     const word& what
 )
 {
-    if (bodies.list().nUnresolved())
+    immersedBodies& bodies = sceneOf(mesh, name);
+
+    bodies.keepActions();
+    if (bodies.list().share().any(bodies.list().nUnresolved()))
     {
         WarningInFunction
             << "Function object '" << name << "': bodies that the mesh does not"
             << " resolve have no part in the " << what << nl << endl;
     }
+
+    return bodies;
 }
 
 

@@ -1,86 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyGaps.H"
+#include "bitSet.H"
+#include "bodyHandover.H"
 #include "closePairs.H"
 #include "contactPoint.H"
+#include <algorithm>
 #include <cmath>
 
-namespace
+Foam::DynamicList<const Foam::immersedBody*> Foam::bodyGaps::around
+(
+    const scalar reach,
+    PtrList<immersedBody>& others
+) const
 {
+    const bodyList& all = bodies_.list();
+    DynamicList<const immersedBody*> listed(all.size());
 
-//- The body that stands for the cluster of another
-Foam::label rootOf(Foam::labelList& clusterOf, Foam::label bodyi)
-{
-    while (clusterOf[bodyi] != bodyi)
+    forAll(all, bodyi)
     {
-        clusterOf[bodyi] = clusterOf[clusterOf[bodyi]];
-        bodyi = clusterOf[bodyi];
+        if (all.share().mine(bodyi))
+        {
+            listed.append(&all[bodyi]);
+        }
     }
 
-    return bodyi;
-}
+    if (all.share().spread())
+    {
+        others = bodies_.handover().around(reach);
+        for (const immersedBody& other : others)
+        {
+            listed.append(&other);
+        }
+        std::sort
+        (
+            listed.begin(), listed.end(),
+            [](const immersedBody* a, const immersedBody* b)
+            {
+                return a->number() < b->number();
+            }
+        );
+    }
 
-} // End anonymous namespace
+    return listed;
+}
 
 
 void Foam::bodyGaps::find
 (
-    const immersedBodies& bodies,
     const scalar reach,
     const scalar contactGap,
-    const scalar clusterGap,
-    labelList& clusterOf
+    const scalar clusterGap
 )
 {
-    pointField centres(bodies.size());
-    scalarField radii(bodies.size());
+    const bodyShare& share = bodies_.list().share();
+    PtrList<immersedBody> others;
+    const DynamicList<const immersedBody*> listed(around(reach, others));
+    const label n = listed.size();
+    pointField centres(n);
+    scalarField radii(n), nearest(n, GREAT);
+    bitSet mine(n);
+    labelList numbers(n);
+    DynamicList<label> own(n);
 
-    nearest_ = GREAT;
     nContacts_ = 0;
+    clusters_.reset(new bodyClusters(share));
 
-    forAll(centres, bodyi)
+    forAll(listed, i)
     {
-        centres[bodyi] = bodies[bodyi].state().position;
-        radii[bodyi] = bodies[bodyi].shape().boundingRadius() + 0.5*reach;
-        clusterOf[bodyi] = bodyi;
+        const immersedBody& body = *listed[i];
+        const label here = share.find(share.spread() ? body.number() : i);
+
+        centres[i] = body.state().position;
+        radii[i] = body.shape().boundingRadius() + 0.5*reach;
+        numbers[i] = body.number();
+        if (here >= 0 && share.mine(here))
+        {
+            mine.set(i);
+            own.append(i);
+        }
     }
 
-    const closePairs close(centres, radii, bodies.periods());
+    const closePairs close(centres, radii, bodies_.periods());
 
     for (const closePairs::pair& pair : close.pairs())
     {
-        const scalar gap =
-            contactPoint(bodies[pair.a], bodies[pair.b], pair.shift).gap;
+        const label a = pair.a, b = pair.b;
 
-        nearest_[pair.a] = min(nearest_[pair.a], gap);
-        nearest_[pair.b] = min(nearest_[pair.b], gap);
-        nContacts_ += gap < contactGap;
+        if (!mine.test(a) && !mine.test(b))
+        {
+            continue;
+        }
+
+        const scalar gap = contactPoint(*listed[a], *listed[b], pair.shift).gap;
+
+        nearest[a] = min(nearest[a], gap);
+        nearest[b] = min(nearest[b], gap);
+        nContacts_ += mine.test(a) && gap < contactGap;
 
         if (gap < clusterGap)
         {
-            clusterOf[rootOf(clusterOf, pair.a)] = rootOf(clusterOf, pair.b);
+            clusters_->join(numbers[a], mine.test(a), numbers[b], mine.test(b));
         }
     }
+
+    nearest_ = UIndirectList<scalar>(nearest, own);
+    clusters_->count(labelList(UIndirectList<label>(numbers, own)));
 }
 
 
-void Foam::bodyGaps::count(const labelUList& clusterOf)
+bool Foam::bodyGaps::lonely(const scalar reach) const
 {
-    labelList roots(clusterOf);
-    labelList sizes(roots.size(), Zero);
-
-    forAll(roots, bodyi)
-    {
-        ++sizes[rootOf(roots, bodyi)];
-    }
-
-    for (const label size : sizes)
-    {
-        if (size > 1)
-        {
-            clusters_.append(size);
-        }
-    }
+    return bodies_.list().share().any
+    (
+        nearest_.size() && max(nearest_) > reach
+    );
 }
 
 
@@ -91,34 +125,42 @@ Foam::bodyGaps::bodyGaps
     const scalar clusterGap
 )
 :
-    nearest_(bodies.size(), GREAT),
+    bodies_(bodies),
     nContacts_(0)
 {
-    labelList clusterOf(bodies.size());
     const scalar span = bodies.region().search().mesh().bounds().mag();
-    scalar reach = 0;
+    scalar width = 0;
 
     for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
     {
-        reach = max(reach, 0.5*bodies[bodyi].shape().width());
+        width = max(width, bodies[bodyi].shape().width());
     }
-    reach = max(reach, 2*max(contactGap, clusterGap));
 
-    // Until each has a neighbour whose gap is within reach
-    do
+    scalar reach = max
+    (
+        0.5*bodies.list().share().largest(width),
+        2*max(contactGap, clusterGap)
+    );
+
+    find(reach, contactGap, clusterGap);
+    while (lonely(reach) && reach < 2*span)
     {
-        find(bodies, reach, contactGap, clusterGap, clusterOf);
         reach *= 2;
+        find(reach, contactGap, clusterGap);
     }
-    while (nearest_.size() && max(nearest_) > 0.5*reach && reach < 4*span);
+}
 
-    count(clusterOf);
+
+Foam::label Foam::bodyGaps::nContacts() const
+{
+    return bodies_.list().share().total(nContacts_);
 }
 
 
 Foam::scalar Foam::bodyGaps::least() const
 {
-    const scalar gap = nearest_.empty() ? GREAT : min(nearest_);
+    const scalar here = nearest_.empty() ? GREAT : min(nearest_);
+    const scalar gap = -bodies_.list().share().largest(-here);
 
     return gap < GREAT ? gap : NAN;
 }
@@ -132,18 +174,7 @@ Foam::scalar Foam::bodyGaps::meanNearest() const
     {
         sum += gap < GREAT ? gap : NAN;
     }
+    sum = bodies_.list().share().total(sum);
 
-    return nearest_.empty() ? NAN : sum/nearest_.size();
-}
-
-
-Foam::label Foam::bodyGaps::largestCluster() const
-{
-    return clusters_.empty() ? 1 : max(clusters_);
-}
-
-
-Foam::scalar Foam::bodyGaps::meanCluster() const
-{
-    return clusters_.empty() ? 1 : scalar(sum(clusters_))/clusters_.size();
+    return bodies_.nBodies() ? sum/bodies_.nBodies() : NAN;
 }

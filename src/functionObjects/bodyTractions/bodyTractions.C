@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyTractions.H"
-#include "compat.H"
+#include "bodyShare.H"
 
 Foam::bodyTractions::bodyTractions
 (
@@ -48,6 +48,6 @@ Foam::bodyTractions::bodyTractions
 
     for (tensorField* moments : {&surface_, &inertia_})
     {
-        compat::allReduce(*moments, plusEqOp<tensor>());
+        bodies.list().share().combine(*moments, plusEqOp<tensor>());
     }
 }

@@ -50,15 +50,13 @@ Foam::functionObjects::closureFit::closureFit
 :
     fvMeshFunctionObject(name, runTime, dict),
     tableFile(mesh_, name, typeName, dict),
-    bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
+    bodies_(bodyFunctionObject::actingIn(mesh_, name, "fit")),
     direction_(Zero),
     nLayers_(0),
     flow_(Zero),
     start_(0)
 {
     read(dict);
-    bodies_.region().loads().keepForces();
-    bodyFunctionObject::resolvedOnly(bodies_, name, "fit");
 }
 
 

@@ -44,37 +44,10 @@ void Foam::phaseSources::slide(scalar* row, const vector& v)
 }
 
 
-Foam::symmTensorField Foam::phaseSources::contactMoments
-(
-    const scalar dt
-) const
-{
-    const contactModel& contact = bodies_.contacts().model();
-    symmTensorField moments(bodies_.size(), Zero);
-
-    for (const contactModel::pairMoment& pair : contact.moments(dt))
-    {
-        const symmTensor all(symm(pair.contact + pair.film));
-
-        moments[pair.a] += pair.b < 0 ? all : 0.5*all;
-        if (pair.b >= 0)
-        {
-            moments[pair.b] += 0.5*all;
-        }
-    }
-
-    return moments;
-}
-
-
-void Foam::phaseSources::addBodies
-(
-    const bodyTractions& tractions,
-    const scalar dt
-)
+void Foam::phaseSources::addBodies(const bodyTractions& tractions)
 {
     const PtrList<bodyRegion>& regions = bodies_.region().regions();
-    const symmTensorField contacts(contactMoments(dt));
+    const contactMoments& contacts = bodies_.contacts().moments();
 
     forAll(regions, regioni)
     {
@@ -85,7 +58,10 @@ void Foam::phaseSources::addBodies
         const scalar nParts = bodies_.loads().nParts(one.body());
         const vector f(body.fluid().force()/nParts/Vb);
         const symmTensor S(symm(tractions.surface(one.body()))/Vb);
-        const symmTensor C(contacts[one.body()]/nParts/Vb);
+        const symmTensor C
+        (
+            symm(contacts.contact(one.body()) + contacts.film(one.body()))/Vb
+        );
 
         forAll(one.cells, i)
         {
@@ -157,7 +133,7 @@ Foam::phaseSources::phaseSources
         row(celli)[fluid] = 1;
     }
 
-    addBodies(tractions, mesh.time().deltaTValue());
+    addBodies(tractions);
 
     const volVectorField& velocity = mesh.lookupObject<volVectorField>("U");
     const tmp<volScalarField> tnu

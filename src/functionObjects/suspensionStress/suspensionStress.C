@@ -48,7 +48,7 @@ Foam::functionObjects::suspensionStress::suspensionStress
 :
     fvMeshFunctionObject(name, runTime, dict),
     tableFile(mesh_, name, typeName, dict),
-    bodies_(bodyFunctionObject::bodiesOf(mesh_, name)),
+    bodies_(bodyFunctionObject::actingIn(mesh_, name, "stress")),
     means_(mesh_, name, "suspensionStressMeans", dict),
     fluidPressure_(0),
     phi_(0),
@@ -58,8 +58,6 @@ Foam::functionObjects::suspensionStress::suspensionStress
     read(dict);
 
     record_.reset(new stressRecord(name, mesh_, names()));
-    bodies_.region().loads().keepForces();
-    bodyFunctionObject::resolvedOnly(bodies_, name, "stress");
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "bodyGaps.H"
 #include "bodyContacts.H"
+#include "bodyShare.H"
 #include "bodyTractions.H"
 #include "gaussGrad.H"
 #include "meshProperties.H"
@@ -61,24 +62,35 @@ void Foam::functionObjects::suspensionStress::updateFluid
 }
 
 
-void Foam::functionObjects::suspensionStress::updateContact()
+void Foam::functionObjects::suspensionStress::updateBodies
+(
+    const bodyTractions& tractions
+)
 {
-    const scalar V = gSum(mesh_.V());
+    const bodyShare& share = bodies_.list().share();
+    const contactMoments& contacts = bodies_.contacts().moments();
+    const part ofBodies[] = {particle, inertia, contact, film};
 
-    parts_[contact] = tensor::zero;
-    parts_[film] = tensor::zero;
-
-    for
-    (
-        const contactModel::pairMoment& pair
-      : bodies_.contacts().model().moments(time_.deltaTValue())
-    )
+    for (const part parti : ofBodies)
     {
-        // Planes of symmetry cut off the other parts
-        const scalar part = 1/(V*bodies_.loads().nParts(pair.a));
+        parts_[parti] = tensor::zero;
+    }
+    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
+    {
+        if (share.mine(bodyi))
+        {
+            parts_[particle] += tractions.surface(bodyi);
+            parts_[inertia] += tractions.inertia(bodyi);
+            parts_[contact] += contacts.contact(bodyi);
+            parts_[film] += contacts.film(bodyi);
+        }
+    }
 
-        parts_[contact] += part*pair.contact;
-        parts_[film] += part*pair.film;
+    const scalar volume = gSum(mesh_.V());
+
+    for (const part parti : ofBodies)
+    {
+        parts_[parti] = share.total(parts_[parti])/volume;
     }
 }
 
@@ -151,19 +163,8 @@ bool Foam::functionObjects::suspensionStress::update()
         return false;
     }
 
-    const scalar volume = gSum(mesh_.V());
-
-    parts_[particle] = tensor::zero;
-    parts_[inertia] = tensor::zero;
-
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        parts_[particle] += tractions.surface(bodyi)/volume;
-        parts_[inertia] += tractions.inertia(bodyi)/volume;
-    }
-
+    updateBodies(tractions);
     updateFluid(fractions.total(mesh_.nCells()));
-    updateContact();
     updateReynolds(fractions);
     setValues();
     index_ = time_.timeIndex();
@@ -219,9 +220,9 @@ void Foam::functionObjects::suspensionStress::setValues()
     values.append(gaps.nContacts());
     values.append(gaps.least());
     values.append(gaps.meanNearest());
-    values.append(gaps.nClusters());
-    values.append(gaps.largestCluster());
-    values.append(gaps.meanCluster());
+    values.append(gaps.clusters().n());
+    values.append(gaps.clusters().largest());
+    values.append(gaps.clusters().mean());
 
     values_ = values;
 }

@@ -180,17 +180,3 @@ void Foam::bodyHandover::unite()
     share_.unite();
     look_ = true;
 }
-
-
-bool Foam::bodyHandover::keepTogether()
-{
-    const bool spread = share_.spread();
-
-    if (spread)
-    {
-        unite();
-    }
-    may_ = false;
-
-    return spread;
-}

@@ -1,14 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyHandover.H"
+#include "exchange.H"
 #include <algorithm>
+
+namespace
+{
+
+typedef std::vector<Foam::autoPtr<Foam::immersedBody>> bodies;
+
+
+//- These bodies in the order of their numbers
+Foam::PtrList<Foam::immersedBody> inOrder(bodies& made)
+{
+    std::sort
+    (
+        made.begin(), made.end(),
+        [](const bodies::value_type& a, const bodies::value_type& b)
+        {
+            return a->number() < b->number();
+        }
+    );
+
+    Foam::PtrList<Foam::immersedBody> all(made.size());
+
+    forAll(all, i)
+    {
+        all.set(i, made[i].ptr());
+    }
+
+    return all;
+}
+
+} // End anonymous namespace
+
+
+Foam::PtrList<Foam::immersedBody> Foam::bodyHandover::around
+(
+    const scalar gap
+) const
+{
+    const scalar beyond = gap + maxRadius() + outside_;
+    List<DynamicList<char>> send(Pstream::nProcs());
+
+    for (label bodyi = 0; share_.spread() && bodyi < bodies_.size(); ++bodyi)
+    {
+        const immersedBody& body = bodies_[bodyi];
+
+        if (!share_.mine(bodyi))
+        {
+            continue;
+        }
+        for
+        (
+            const label rank
+          : bounds_.others
+            (
+                body.state().position,
+                body.shape().boundingRadius() + beyond,
+                periods_
+            )
+        )
+        {
+            pack(bodyi, send[rank]);
+        }
+    }
+
+    bodies made;
+
+    for (const List<char>& data : exchangeLists(send))
+    {
+        for (const char* from = data.cbegin(); from < data.cend();)
+        {
+            made.push_back(unpack(from, -1, labelList()).body);
+        }
+    }
+
+    return inOrder(made);
+}
+
 
 Foam::PtrList<Foam::immersedBody> Foam::bodyHandover::copies
 (
     const labelUList& listed
 ) const
 {
-    std::vector<autoPtr<immersedBody>> made;
+    bodies made;
 
     if (share_.spread())
     {
@@ -34,27 +111,7 @@ Foam::PtrList<Foam::immersedBody> Foam::bodyHandover::copies
         }
     }
 
-    std::sort
-    (
-        made.begin(), made.end(),
-        []
-        (
-            const autoPtr<immersedBody>& a,
-            const autoPtr<immersedBody>& b
-        )
-        {
-            return a->number() < b->number();
-        }
-    );
-
-    PtrList<immersedBody> all(made.size());
-
-    forAll(all, i)
-    {
-        all.set(i, made[i].ptr());
-    }
-
-    return all;
+    return inOrder(made);
 }
 
 

@@ -54,6 +54,7 @@ const Foam::dictionary& Foam::bodyProperties::checked(const dictionary& dict)
     wordList ofCoupling(unresolvedCoupling::keywords);
     ofCoupling.append(fluidChoice::keywords);
     ofCoupling.append(outerIteration::keywords);
+    ofCoupling.append("spread");
     keywords::check(dict.subOrEmptyDict("coupling"), ofCoupling);
 
     return dict;

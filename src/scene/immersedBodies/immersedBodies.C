@@ -130,6 +130,7 @@ Foam::immersedBodies::immersedBodies
             periodicity_,
             contacts_->wallMargin(),
             contacts_->mayBeSpread()
+         && coupling().lookupOrDefault<bool>("spread", true)
         )
     ),
     resolution_
@@ -185,6 +186,12 @@ const Foam::UList<Foam::bodyDeparture>& Foam::immersedBodies::departed() const
 const Foam::bodyContacts& Foam::immersedBodies::contacts() const
 {
     return contacts_();
+}
+
+
+const Foam::bodyHandover& Foam::immersedBodies::handover() const
+{
+    return handover_();
 }
 
 
@@ -263,17 +270,10 @@ void Foam::immersedBodies::holdWithin(const scalar widths)
 }
 
 
-bool Foam::immersedBodies::keepTogether()
+void Foam::immersedBodies::keepActions()
 {
-    const bool changed = handover_->keepTogether();
-
-    if (changed)
-    {
-        // What is kept of contacts is that of all
-        contacts_->endStep();
-    }
-
-    return changed;
+    region().loads().keepForces();
+    contacts_->keepMoments(bodies_);
 }
 
 

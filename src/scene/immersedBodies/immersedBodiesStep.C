@@ -141,6 +141,8 @@ bool Foam::immersedBodies::endStep()
     resolved_->loads().noteUnresolved(unresolved_->coupling());
 
     // Contact knows the bodies as they are before any leave
+    contacts_->updateMoments(loads(), mesh_.time().deltaTValue());
+
     const bool overlap = contacts_->overlap(bodies_, region(), h_);
     const bool good = traffic_->leave() && !overlap;
 

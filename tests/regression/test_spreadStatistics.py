@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Statistics of bodies that each rank has its own of: the same as those of one
+rank, of fewer bodies than that as well."""
+
+import numpy as np
+import pytest
+
+from bodyCase import BodyCase
+from foamCase import tables
+from spreadCrowd import FILMS, STEP, check_ranks, crowd
+
+STATISTICS = """functions
+{
+    stress
+    {
+        type            suspensionStress;
+        libs            (immersedBodyFunctionObjects);
+        writeControl    timeStep;
+        writePrecision  15;
+        shearRate       1;
+        contactGap      0.02;
+        clusterGap      0.3;
+    }
+    averages
+    {
+        type            bodyAverages;
+        libs            (immersedBodyFunctionObjects);
+        writeControl    timeStep;
+        writePrecision  15;
+        kernel          { type topHat; radius 1; }
+        layers          4;
+        fields          no;
+    }
+    fit
+    {
+        type            closureFit;
+        libs            (immersedBodyFunctionObjects);
+        writeControl    timeStep;
+        writePrecision  15;
+        layers          2;
+    }
+"""
+TABLES = {
+    "stress": ("suspensionStress", "suspensionStressMeans"),
+    "averages": ("bodyAverages",), "fit": ("closureFit",),
+}
+COUNTS = ("contacts", "clusters", "largestCluster", "meanCluster", "samples")
+# Of what follows from others by division
+LEFT_OUT = ("unexplained", "errorOf_drag", "errorOf_addedMass")
+
+
+def statistics(case):
+    return {
+        f"{file}: {column}": values
+        for name, files in TABLES.items() for file in files
+        for column, values in tables.run_columns(case.path, name, file).items()
+    }
+
+
+def compare(one, several):
+    """But for rounding, relative to the largest component."""
+    these, others = map(statistics, (one, several))
+    assert these.keys() == others.keys()
+    for name, values in these.items():
+        column = name.split(": ")[1]
+        if column in LEFT_OUT:
+            continue
+        if column in COUNTS:
+            assert list(others[name]) == list(values), name
+            continue
+        scale = max(
+            np.max(np.abs(same), initial=0, where=np.isfinite(same))
+            for other, same in these.items()
+            if other.split("_")[0] == name.split("_")[0]
+        )
+        assert others[name] == pytest.approx(
+            values, rel=1e-5, abs=1e-6*scale, nan_ok=True
+        ), name
+    return these
+
+
+def with_statistics(case):
+    case.replace("system/controlDict", "functions\n{", STATISTICS)
+    return case
+
+
+def test_crowd(tmp_path):
+    """Discs that touch, some in clusters of several ranks."""
+    values = compare(*check_ranks(
+        with_statistics(crowd(tmp_path, (1, 1), FILMS)), tmp_path
+    ))
+    of_stress = {
+        name.split(": ")[1]: column for name, column in values.items()
+        if name.startswith("suspensionStress:")
+    }
+    assert max(of_stress["contacts"]) > 5
+    assert max(of_stress["largestCluster"]) > 5
+    assert np.abs(of_stress["contact_xx"]).max() > 0
+    assert np.abs(of_stress["film_xx"]).max() > 0
+
+
+def test_cut_by_a_plane(tmp_path):
+    """And beside a wall."""
+    compare(*check_ranks(
+        with_statistics(crowd(tmp_path, (1, 1), walls=True)), tmp_path,
+        number=240,
+    ))
