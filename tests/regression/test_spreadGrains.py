@@ -28,7 +28,16 @@ injection
     injected
     {{
         shape    {{ type sphere; radius {DIAMETER/2}; }}
-        densityRatio 1000;
+        size
+        {{
+            type uniform;
+            uniformDistribution {{ minValue 0.7; maxValue 1; }}
+        }}
+        densityRatio
+        {{
+            type uniform;
+            uniformDistribution {{ minValue 800; maxValue 1200; }}
+        }}
         velocity (0 0 1);
         region
         {{
@@ -188,8 +197,10 @@ def test_sliding_sides(tmp_path):
     assert difference(one, several) < 1e-8
 
 
-def test_restart_is_exact(tmp_path):
-    at_once = rain(tmp_path)
+@pytest.mark.parametrize("speed, traffic", [(8, ""), (12, TRAFFIC)])
+def test_restart_is_exact(speed, traffic, tmp_path):
+    """Also of grains of all sizes that have been injected."""
+    at_once = rain(tmp_path, speed=speed, traffic=traffic)
     parts = run_in_parts(at_once, tmp_path, STEP, 8, PARTS[4])
 
     for name in ("U", "p", "uniform/immersedBodies"):

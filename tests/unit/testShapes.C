@@ -213,6 +213,13 @@ TEST_CASE("Shapes with their lengths scaled", "[shapes]")
     CHECK(scaled->volume() == Approx(3.375*shape->volume()).epsilon(1e-12));
     CHECK(scaled->width() == Approx(1.5*shape->width()).epsilon(1e-12));
 
+    const autoPtr<bodyShape> same
+    (
+        shape->makeScaled(testTools::dict(text), space, 1.5)
+    );
+    CHECK(same->volume() == scaled->volume());
+    CHECK(same->boundingRadius() == scaled->boundingRadius());
+
     // One that does not say how
     CHECK_THAT
     (

@@ -53,6 +53,16 @@ TEST_CASE("Surface of triangles: a box from a file", "[shapes]")
         CHECK(difference(n[0], expected[0]) < 1e-3);
     }
 
+    // Twice as large, without the file
+    dict.set("file", "none.stl");
+    const autoPtr<bodyShape> twice(body->makeScaled(dict, threeD, 2));
+
+    CHECK(twice->volume() == Approx(8*body->volume()).epsilon(1e-12));
+    CHECK(difference(twice->inertia(), 32*body->inertia()) < 1e-12);
+    CHECK(twice->distance({1.2, 0.3, 0.1})
+        == Approx(2*body->distance({0.6, 0.15, 0.05})).epsilon(1e-9));
+    dict.set("file", "box.stl");
+
     // As the decomposed case finds it, and by its whole name
     dict.name() = folder.path()/"processor1/constant/bodies";
     CHECK(bodyShape::New(dict, threeD)->volume() == body->volume());

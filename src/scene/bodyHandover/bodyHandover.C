@@ -14,6 +14,7 @@ Foam::bodyHandover::bodyHandover
 (
     bodyList& bodies,
     const std::vector<std::shared_ptr<const bodyKind>>& kinds,
+    const bodyPassage& passage,
     const couplingChoice& choice,
     const immersedRegion& region,
     const grainKernels& kernels,
@@ -31,15 +32,18 @@ Foam::bodyHandover::bodyHandover
     periods_(periods),
     bounds_(search_.mesh()),
     outside_(0),
+    maxRadius_(0),
     wallMargin_(wallMargin),
     may_(may),
     widthsAround_(0),
+    kinds_(kinds),
+    passage_(passage),
     look_(true),
     reported_(false)
 {
-    for (const auto& kind : kinds)
+    for (const auto& kind : kinds_)
     {
-        addKind(kind);
+        placeOfKind_.emplace(kind.get(), placeOfKind_.size());
     }
 }
 

@@ -45,27 +45,6 @@ bool Foam::bodyHandover::many() const
 }
 
 
-void Foam::bodyHandover::findKinds()
-{
-    kinds_.clear();
-    placeOfKind_.clear();
-
-    for (const immersedBody& body : bodies_)
-    {
-        addKind(body.sharedKind());
-    }
-}
-
-
-void Foam::bodyHandover::addKind(const std::shared_ptr<const bodyKind>& kind)
-{
-    if (placeOfKind_.emplace(kind.get(), kinds_.size()).second)
-    {
-        kinds_.push_back(kind);
-    }
-}
-
-
 bool Foam::bodyHandover::pays(const label nHeld) const
 {
     const scalar n = share_.nAll();
@@ -121,7 +100,6 @@ void Foam::bodyHandover::beginStep(const scalar dt)
 
     look_ = false;
     bodies_.sort();
-    findKinds();
 
     const labelList owners(findOwners(0));
 

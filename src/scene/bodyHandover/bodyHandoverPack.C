@@ -2,6 +2,7 @@
 
 #include "bodyHandover.H"
 #include "bodyPacket.H"
+#include "bodyPassage.H"
 #include "bytes.H"
 
 void Foam::bodyHandover::pack
@@ -13,7 +14,6 @@ void Foam::bodyHandover::pack
     const immersedBody& body = bodies_[bodyi];
     const List<char> ofLists(bodies_.pack(bodyi));
 
-    bytes::append(placeOfKind_.at(&body.kind()), data);
     bytes::append(bodyPacket(body), data);
     bytes::append(body.name(), data);
     bytes::append(body.status().passing(), data);
@@ -24,6 +24,10 @@ void Foam::bodyHandover::pack
         bytes::append(body.origin()->injector, data);
         bytes::append(body.origin()->size, data);
         bytes::append(body.origin()->densityRatio, data);
+    }
+    else
+    {
+        bytes::append(placeOfKind_.at(&body.kind()), data);
     }
     for (const restrainedMotion& one : body.restrained())
     {
@@ -41,13 +45,13 @@ Foam::bodyHandover::received Foam::bodyHandover::unpack
     const labelUList& holders
 ) const
 {
-    label kind, size;
+    label size;
     bodyPacket packet;
     word name, passing;
     bool injected;
+    std::shared_ptr<const bodyKind> kind;
     std::shared_ptr<const bodyOrigin> origin;
 
-    bytes::read(data, kind);
     bytes::read(data, packet);
     bytes::read(data, name);
     bytes::read(data, passing);
@@ -65,11 +69,19 @@ Foam::bodyHandover::received Foam::bodyHandover::unpack
         (
             injector, factor, densityRatio
         );
+        kind = passage_.kindOf(*origin);
+    }
+    else
+    {
+        label place;
+
+        bytes::read(data, place);
+        kind = kinds_[place];
     }
 
     received one
     {
-        packet.make(name, kinds_[kind], origin), List<char>(), owner, holders
+        packet.make(name, kind, origin), List<char>(), owner, holders
     };
 
     one.body->status().pass(passing);

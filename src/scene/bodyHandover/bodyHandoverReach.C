@@ -43,19 +43,6 @@ Foam::scalar Foam::bodyHandover::reach(const immersedBody& body) const
 }
 
 
-Foam::scalar Foam::bodyHandover::maxRadius() const
-{
-    scalar most = 0;
-
-    for (const auto& kind : kinds_)
-    {
-        most = max(most, kind->shape().boundingRadius());
-    }
-
-    return most;
-}
-
-
 void Foam::bodyHandover::setWay(const scalar dt, const labelUList& owners)
 {
     // One that is hit may go as far as the fastest, and images go on with what
@@ -63,7 +50,7 @@ void Foam::bodyHandover::setWay(const scalar dt, const labelUList& owners)
     const scalar speed = returnReduce(bodies_.maxSpeed(), maxOp<scalar>());
 
     // Of one that leaves the mesh the centre is outside
-    outside_ = 0;
+    outside_ = maxRadius_ = 0;
 
     forAll(owners, i)
     {
@@ -72,13 +59,15 @@ void Foam::bodyHandover::setWay(const scalar dt, const labelUList& owners)
             const point& x = bodies_[i].state().position;
 
             outside_ = max(outside_, bounds_.distance(owners[i], x));
+            maxRadius_ = max(maxRadius_, bodies_[i].shape().boundingRadius());
         }
     }
     reduce(outside_, maxOp<scalar>());
+    reduce(maxRadius_, maxOp<scalar>());
 
     share_.setWay
     (
-        spareWay*maxRadius() + dt*(2*speed + mag(periods_.slideVelocity()))
+        spareWay*maxRadius_ + dt*(2*speed + mag(periods_.slideVelocity()))
     );
 }
 
@@ -93,7 +82,7 @@ Foam::labelList Foam::bodyHandover::holders
     // Kernels grow where cells do
     const immersedBody& body = bodies_[bodyi];
     const scalar touching =
-        body.shape().boundingRadius() + maxRadius() + 2*share_.way()
+        body.shape().boundingRadius() + maxRadius_ + 2*share_.way()
       + max(search_.hMax(), outside_) + wallMargin_;
     labelList ranks
     (

@@ -40,7 +40,7 @@ Foam::PtrList<Foam::immersedBody> Foam::bodyHandover::around
     const scalar gap
 ) const
 {
-    const scalar beyond = gap + maxRadius() + outside_;
+    const scalar beyond = gap + maxRadius_ + outside_;
     List<DynamicList<char>> send(Pstream::nProcs());
 
     for (label bodyi = 0; share_.spread() && bodyi < bodies_.size(); ++bodyi)
@@ -151,7 +151,7 @@ void Foam::bodyHandover::entered(const label n)
     share_.add(n);
     for (label i = first; i < bodies_.size(); ++i)
     {
-        addKind(bodies_[i].sharedKind());
+        maxRadius_ = max(maxRadius_, bodies_[i].shape().boundingRadius());
         note(i, owners[i - first], identity(Pstream::nProcs()));
     }
     bodies_.sort();

@@ -116,10 +116,8 @@ void Foam::bodyRestart::read(stateFile& file, const dictionary& dict)
 
     share.readState(states);
 
-    // Kinds of bodies that have been injected have to be on all ranks
     const bool own =
-        Pstream::parRun() && share.wasSpread() && contacts_.mayBeSpread()
-     && !passage_.injects();
+        Pstream::parRun() && share.wasSpread() && contacts_.mayBeSpread();
     const label n = readBodies(file, own);
 
     if (own)

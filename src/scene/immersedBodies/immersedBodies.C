@@ -124,6 +124,7 @@ Foam::immersedBodies::immersedBodies
         (
             bodies_,
             start_.kinds(),
+            passage_(),
             unresolved_->coupling().choice(),
             region(),
             unresolved_->coupling().kernels(),

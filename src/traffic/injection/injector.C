@@ -48,6 +48,10 @@ Foam::injector::injector
     );
     keywords::check(dict, valid);
 
+    unscaled_ = std::shared_ptr<const bodyShape>
+    (
+        bodyShape::New(dict.subDict("shape"), space).ptr()
+    );
     densityKey_ = dict.found("density") ? "density" : "densityRatio";
     size_ = readDistribution("size");
     density_ = readDistribution(densityKey_);
@@ -126,25 +130,15 @@ std::shared_ptr<const Foam::bodyShape> Foam::injector::scaledShape
     const scalar size
 ) const
 {
-    dictionary shape(dict_.subDict("shape"));
-    auto make = [&]()
-    {
-        return std::shared_ptr<const bodyShape>
-        (
-            bodyShape::New(shape, space_).ptr()
-        );
-    };
-
     if (!size_.valid() && !dict_.found("size"))
     {
-        return make();
+        return unscaled_;
     }
 
-    // Which keywords are lengths any body of the kind knows
-    const std::shared_ptr<const bodyShape> any(shape_ ? shape_ : make());
-    any->scaleEntries(shape, size);
-
-    return make();
+    return std::shared_ptr<const bodyShape>
+    (
+        unscaled_->makeScaled(dict_.subDict("shape"), space_, size).ptr()
+    );
 }
 
 

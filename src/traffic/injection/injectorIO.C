@@ -2,36 +2,27 @@
 
 #include "injector.H"
 
-Foam::autoPtr<Foam::immersedBody> Foam::injector::remake
+std::shared_ptr<const Foam::bodyKind> Foam::injector::kindOf
 (
-    const word& name,
     const bodyOrigin& origin
 ) const
 {
-    std::shared_ptr<const bodyKind> kind(kind_);
-
-    if (size_.valid() || origin.densityRatio != kind->densityRatio())
+    if (!size_.valid() && origin.densityRatio == kind_->densityRatio())
     {
-        dictionary dict(dict_);
-        dict.remove("density");
-        dict.set("densityRatio", origin.densityRatio);
-
-        kind = std::make_shared<const bodyKind>
-        (
-            dict,
-            size_.valid() ? scaledShape(origin.size) : shape_,
-            space_,
-            rho_
-        );
+        return kind_;
     }
 
-    return autoPtr<immersedBody>
+    dictionary dict(dict_);
+
+    dict.remove("density");
+    dict.set("densityRatio", origin.densityRatio);
+
+    return std::make_shared<const bodyKind>
     (
-        new immersedBody
-        (
-            name, kind, point::zero, quaternion::I,
-            std::make_shared<const bodyOrigin>(origin)
-        )
+        dict,
+        size_.valid() ? scaledShape(origin.size) : shape_,
+        space_,
+        rho_
     );
 }
 

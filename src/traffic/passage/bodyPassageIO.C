@@ -3,31 +3,54 @@
 #include "bodyPassage.H"
 #include "FlatOutput.H"
 
+std::shared_ptr<const Foam::bodyKind> Foam::bodyPassage::kindOf
+(
+    const bodyOrigin& origin
+) const
+{
+    for (const injector& one : injectors_)
+    {
+        if (one.name() == origin.injector)
+        {
+            return one.kindOf(origin);
+        }
+    }
+
+    return nullptr;
+}
+
+
 Foam::autoPtr<Foam::immersedBody> Foam::bodyPassage::remake
 (
     const word& name,
     const dictionary& state
 ) const
 {
-    const bodyOrigin origin(state.subDict("origin"));
-    wordList names;
+    const auto origin = std::make_shared<const bodyOrigin>
+    (
+        state.subDict("origin")
+    );
+    const std::shared_ptr<const bodyKind> kind(kindOf(*origin));
 
-    for (const injector& one : injectors_)
+    if (!kind)
     {
-        if (one.name() == origin.injector)
+        wordList names;
+
+        for (const injector& one : injectors_)
         {
-            return one.remake(name, origin);
+            names.append(one.name());
         }
-        names.append(one.name());
+        FatalIOErrorInFunction(state)
+            << "Body '" << name << "' is of the injector '" << origin->injector
+            << "', which 'injection' in constant/immersedBodyProperties does"
+            << " not have; those there are " << flatOutput(names) << nl
+            << exit(FatalIOError);
     }
 
-    FatalIOErrorInFunction(state)
-        << "Body '" << name << "' is of the injector '" << origin.injector
-        << "', which 'injection' in constant/immersedBodyProperties does not"
-        << " have; those there are " << flatOutput(names) << nl
-        << exit(FatalIOError);
-
-    return autoPtr<immersedBody>();
+    return autoPtr<immersedBody>
+    (
+        new immersedBody(name, kind, point::zero, quaternion::I, origin)
+    );
 }
 
 

@@ -150,3 +150,18 @@ void Foam::bodyShape::scaleEntries(dictionary& dict, const scalar) const
         << "The shape 'type " << type() << "' in '" << dict.dictName()
         << "' cannot be scaled: leave out 'size'" << nl << exit(FatalIOError);
 }
+
+
+Foam::autoPtr<Foam::bodyShape> Foam::bodyShape::makeScaled
+(
+    const dictionary& dict,
+    const geometricSpace& space,
+    const scalar factor
+) const
+{
+    dictionary own(dict);
+
+    scaleEntries(own, factor);
+
+    return New(own, space);
+}

@@ -142,8 +142,14 @@ Foam::bodyShapes::triSurfaceShape::triSurfaceShape
     const geometricSpace& space
 )
 :
+    triSurfaceShape(read(dict, space))
+{}
+
+
+Foam::bodyShapes::triSurfaceShape::triSurfaceShape(const triSurface& surface)
+:
     bodyShape(),
-    surface_(read(dict, space)),
+    surface_(surface),
     search_(surface_),
     volume_(0),
     inertia_(Zero),
@@ -242,6 +248,27 @@ void Foam::bodyShapes::triSurfaceShape::normal
             n[i] = surface_.faceNormals()[facei];
         }
     }
+}
+
+
+Foam::autoPtr<Foam::bodyShape> Foam::bodyShapes::triSurfaceShape::makeScaled
+(
+    const dictionary&,
+    const geometricSpace&,
+    const scalar factor
+) const
+{
+    return autoPtr<bodyShape>
+    (
+        new triSurfaceShape
+        (
+            triSurface
+            (
+                surface_.localFaces(),
+                pointField(factor*surface_.localPoints())
+            )
+        )
+    );
 }
 
 
