@@ -106,7 +106,7 @@ def test_goes_on_on_other_ranks(tmp_path):
         shutil.rmtree(folder)
     half.replace("system/decomposeParDict", "Subdomains 4", "Subdomains 2")
     half.replace("system/decomposeParDict", "(4 1 1)", "(2 1 1)")
-    case.solve(4, (4, 1, 1))
+    case.solve()
     motion = motions(case)[:, -200:]
     largest = np.maximum(np.abs(motion).max(axis=1, keepdims=True), 1e-6)
     for ranks in (1, 2):

@@ -84,10 +84,15 @@ def with_statistics(case):
     return case
 
 
-def test_crowd(tmp_path):
-    """Discs that touch, some in clusters of several ranks."""
+@pytest.mark.parametrize("walls", [
+    False, pytest.param(True, marks=pytest.mark.nightly),
+])
+def test_crowd(walls, tmp_path):
+    """Discs that touch, some in clusters of several ranks; beside a wall, and a
+    plane of symmetry that cuts some."""
     values = compare(*check_ranks(
-        with_statistics(crowd(tmp_path, (1, 1), FILMS)), tmp_path
+        with_statistics(crowd(tmp_path, (1, 1), FILMS, walls)), tmp_path,
+        number=240 if walls else 200,
     ))
     of_stress = {
         name.split(": ")[1]: column for name, column in values.items()
@@ -97,11 +102,3 @@ def test_crowd(tmp_path):
     assert max(of_stress["largestCluster"]) > 5
     assert np.abs(of_stress["contact_xx"]).max() > 0
     assert np.abs(of_stress["film_xx"]).max() > 0
-
-
-def test_cut_by_a_plane(tmp_path):
-    """And beside a wall."""
-    compare(*check_ranks(
-        with_statistics(crowd(tmp_path, (1, 1), walls=True)), tmp_path,
-        number=240,
-    ))
