@@ -53,7 +53,12 @@ void Foam::bodyClusters::noteAcross
     }
     for (const labelVector& one : across)
     {
-        roots.join(one.z(), rootOf.at(one.y()));
+        const auto other = rootOf.find(one.y());
+
+        if (other != rootOf.end())
+        {
+            roots.join(one.z(), other->second);
+        }
     }
     for (const labelPair& part : parts)
     {
