@@ -119,6 +119,24 @@ def test_goes_on_on_other_ranks(tmp_path):
         assert np.max(np.abs(difference)/largest) < 1e-6
 
 
+def test_goes_on_together(tmp_path):
+    """All ranks have all that a spread run has written, with its contacts."""
+    case = crowd(tmp_path, (1, 1))
+    parts = BodyCase(case, tmp_path, "parts")
+    case.solve()
+    parts.controls(endTime=STEP*STEPS/2)
+    assert "Bodies are spread over the ranks" in parts.solve(4, (4, 1, 1))
+    parts.controls(endTime=STEP*STEPS)
+    parts.replace(
+        "constant/immersedBodyProperties", "coupling {", "coupling { spread no;"
+    )
+    assert "Bodies are spread" not in parts.solve(4)
+    motion = motions(case)[:, -200:]
+    largest = np.maximum(np.abs(motion).max(axis=1, keepdims=True), 1e-6)
+    difference = motions(parts)[:, -200:] - motion
+    assert np.max(np.abs(difference)/largest) < 1e-6
+
+
 @pytest.mark.parametrize("more, contact", [
     ("", SPRINGS),
     pytest.param("", PROJECTIONS["viscous"], marks=pytest.mark.nightly),

@@ -7,7 +7,8 @@ import pytest
 
 from bodyCase import BodyCase
 from foamCase import tables
-from spreadCrowd import FILMS, STEP, check_ranks, crowd
+from spreadCrowd import FILMS, STEP, STEPS, check_ranks, crowd
+from spreadRuns import run_in_parts
 
 STATISTICS = """functions
 {
@@ -102,3 +103,15 @@ def test_crowd(walls, tmp_path):
     assert max(of_stress["largestCluster"]) > 5
     assert np.abs(of_stress["contact_xx"]).max() > 0
     assert np.abs(of_stress["film_xx"]).max() > 0
+
+
+@pytest.mark.nightly
+def test_goes_on(tmp_path):
+    """Means and fits after a restart are those of a run at once."""
+    at_once = with_statistics(crowd(tmp_path, (1, 1), FILMS))
+    parts = run_in_parts(at_once, tmp_path, STEP, STEPS, (4, 1, 1))
+    these, others = map(statistics, (at_once, parts))
+    for name, values in these.items():
+        assert others[name][-1] == pytest.approx(
+            values[-1], rel=1e-8, abs=1e-12, nan_ok=True
+        ), name

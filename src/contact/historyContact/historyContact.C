@@ -142,18 +142,9 @@ Foam::historyContact<Record>::moments(const scalar dt) const
 {
     DynamicList<pairMoment> all;
 
-    if
-    (
-        Pstream::parRun() && !Pstream::master() && !movers_.ranks().shared()
-    )
-    {
-        // The master has all
-        return all;
-    }
-
     for (const candidate& c : candidates())
     {
-        if (c.meeting < 0 || !movers_.mine(c))
+        if (c.meeting < 0 || !movers_.counts(c))
         {
             continue;
         }

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyGaps.H"
-#include "bitSet.H"
 #include "bodyHandover.H"
 #include "closePairs.H"
 #include "contactPoint.H"
 #include <algorithm>
 #include <cmath>
 
-Foam::DynamicList<const Foam::immersedBody*> Foam::bodyGaps::around
+Foam::DynamicList<Foam::bodyGaps::neighbour> Foam::bodyGaps::around
 (
     const scalar reach,
     PtrList<immersedBody>& others
 ) const
 {
     const bodyList& all = bodies_.list();
-    DynamicList<const immersedBody*> listed(all.size());
+    DynamicList<neighbour> listed(all.size());
 
     forAll(all, bodyi)
     {
         if (all.share().mine(bodyi))
         {
-            listed.append(&all[bodyi]);
+            listed.append(neighbour{&all[bodyi], true});
         }
     }
 
@@ -30,14 +29,14 @@ Foam::DynamicList<const Foam::immersedBody*> Foam::bodyGaps::around
         others = bodies_.handover().around(reach);
         for (const immersedBody& other : others)
         {
-            listed.append(&other);
+            listed.append(neighbour{&other, false});
         }
         std::sort
         (
             listed.begin(), listed.end(),
-            [](const immersedBody* a, const immersedBody* b)
+            [](const neighbour& a, const neighbour& b)
             {
-                return a->number() < b->number();
+                return a.body->number() < b.body->number();
             }
         );
     }
@@ -53,59 +52,58 @@ void Foam::bodyGaps::find
     const scalar clusterGap
 )
 {
-    const bodyShare& share = bodies_.list().share();
     PtrList<immersedBody> others;
-    const DynamicList<const immersedBody*> listed(around(reach, others));
+    const DynamicList<neighbour> listed(around(reach, others));
     const label n = listed.size();
     pointField centres(n);
     scalarField radii(n), nearest(n, GREAT);
-    bitSet mine(n);
-    labelList numbers(n);
     DynamicList<label> own(n);
 
     nContacts_ = 0;
-    clusters_.reset(new bodyClusters(share));
+    nearest_.clear();
+    clusters_.reset(new bodyClusters(bodies_.list().share()));
 
     forAll(listed, i)
     {
-        const immersedBody& body = *listed[i];
-        const label here = share.find(share.spread() ? body.number() : i);
+        const immersedBody& body = *listed[i].body;
 
         centres[i] = body.state().position;
         radii[i] = body.shape().boundingRadius() + 0.5*reach;
-        numbers[i] = body.number();
-        if (here >= 0 && share.mine(here))
-        {
-            mine.set(i);
-            own.append(i);
-        }
     }
 
     const closePairs close(centres, radii, bodies_.periods());
 
     for (const closePairs::pair& pair : close.pairs())
     {
-        const label a = pair.a, b = pair.b;
+        const neighbour& a = listed[pair.a];
+        const neighbour& b = listed[pair.b];
 
-        if (!mine.test(a) && !mine.test(b))
+        if (!a.mine && !b.mine)
         {
             continue;
         }
 
-        const scalar gap = contactPoint(*listed[a], *listed[b], pair.shift).gap;
+        const scalar gap = contactPoint(*a.body, *b.body, pair.shift).gap;
 
-        nearest[a] = min(nearest[a], gap);
-        nearest[b] = min(nearest[b], gap);
-        nContacts_ += mine.test(a) && gap < contactGap;
+        nearest[pair.a] = min(nearest[pair.a], gap);
+        nearest[pair.b] = min(nearest[pair.b], gap);
+        nContacts_ += a.mine && gap < contactGap;
 
         if (gap < clusterGap)
         {
-            clusters_->join(numbers[a], mine.test(a), numbers[b], mine.test(b));
+            clusters_->join(a.body->number(), a.mine, b.body->number(), b.mine);
         }
     }
 
-    nearest_ = UIndirectList<scalar>(nearest, own);
-    clusters_->count(labelList(UIndirectList<label>(numbers, own)));
+    forAll(listed, i)
+    {
+        if (listed[i].mine)
+        {
+            nearest_.append(nearest[i]);
+            own.append(listed[i].body->number());
+        }
+    }
+    clusters_->count(own);
 }
 
 

@@ -12,6 +12,18 @@ namespace Foam
 namespace
 {
     const char* const phases[2] = {"fluid", "bodies"};
+
+    //- A list that has been written as text, whatever the format of the file,
+    //  or of the message by which another rank has got it
+    template<class ListType>
+    ListType asText(const Foam::dictionary& dict, const Foam::word& key)
+    {
+        Foam::ITstream& is = dict.lookup(key);
+
+        is.format(Foam::IOstream::ASCII);
+
+        return ListType(is);
+    }
 }
 
 
@@ -25,11 +37,11 @@ void Foam::closureRecord::readVelocities
     const dictionary& entries = dict.subDict(key);
 
     v.time = entries.get<scalar>("time");
-    v.both = entries.get<labelList>("both");
+    v.both = asText<labelList>(entries, "both");
 
     for (label phase = 0; phase < 2; ++phase)
     {
-        v.U[phase] = entries.get<vectorField>(phases[phase]);
+        v.U[phase] = asText<List<vector>>(entries, phases[phase]);
     }
 }
 

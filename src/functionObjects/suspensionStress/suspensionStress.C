@@ -117,7 +117,8 @@ bool Foam::functionObjects::suspensionStress::execute()
 
 bool Foam::functionObjects::suspensionStress::write()
 {
-    if (writeToFile() && update())
+    // By all ranks, though the master alone writes
+    if (update() && writeToFile())
     {
         writeRow();
         writeMeans();

@@ -10,6 +10,7 @@ Foam::bodyRestart::bodyRestart
     const bodyStart& start,
     bodyPassage& passage,
     bodyContacts& contacts,
+    const bool mayBeSpread,
     bodyList& bodies,
     bodyCellSizes& h
 )
@@ -17,6 +18,7 @@ Foam::bodyRestart::bodyRestart
     start_(start),
     passage_(passage),
     contacts_(contacts),
+    mayBeSpread_(mayBeSpread),
     bodies_(bodies),
     h_(h),
     known_(start.placed().size())
@@ -117,7 +119,7 @@ void Foam::bodyRestart::read(stateFile& file, const dictionary& dict)
     share.readState(states);
 
     const bool own =
-        Pstream::parRun() && share.wasSpread() && contacts_.mayBeSpread();
+        Pstream::parRun() && share.wasSpread() && mayBeSpread_;
     const label n = readBodies(file, own);
 
     if (own)

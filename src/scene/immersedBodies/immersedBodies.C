@@ -130,8 +130,7 @@ Foam::immersedBodies::immersedBodies
             unresolved_->coupling().kernels(),
             periodicity_,
             contacts_->wallMargin(),
-            contacts_->mayBeSpread()
-         && coupling().lookupOrDefault<bool>("spread", true)
+            mayBeSpread()
         )
     ),
     resolution_

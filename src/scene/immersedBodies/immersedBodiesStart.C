@@ -30,12 +30,22 @@ bool Foam::immersedBodies::readState()
     states.readIfPresent("time", clock_);
     window_.readState(states.subDict("window"));
     crowd_.readState(states);
-    bodyRestart(start_, passage_(), contacts_(), bodies_, h_).read
+    bodyRestart
+    (
+        start_, passage_(), contacts_(), mayBeSpread(), bodies_, h_
+    ).read
     (
         file, dict_.subOrEmptyDict("bodies")
     );
 
     return true;
+}
+
+
+bool Foam::immersedBodies::mayBeSpread() const
+{
+    return contacts_->mayBeSpread()
+        && coupling().lookupOrDefault<bool>("spread", true);
 }
 
 
