@@ -80,12 +80,12 @@ TEST_CASE("Clearing leaves nothing behind", "[bodyLoad]")
     bodyLoad load(randomLoad(random));
     const bodyLoad before(load);
 
-    load.clearLoad();
+    load.clear(false);
     CHECK(load.force == vector::zero);
     CHECK(load.slip == 0);
     CHECK(load.aRowCol == before.aRowCol);
 
-    load.clearResponse();
+    load.clear(true);
     CHECK(loadDifference(load, bodyLoad()) == 0);
 }
 

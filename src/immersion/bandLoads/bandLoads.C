@@ -15,6 +15,7 @@ Foam::bandLoads::bandLoads
     neighbours_(neighbours),
     bands_(bands),
     sums_(sums),
+    response_(mesh, neighbours, sums),
     fluidPart_(mesh.nCells()),
     keepForces_(false)
 {}
@@ -77,27 +78,43 @@ void Foam::bandLoads::measure
 (
     const PtrList<immersedBody>& bodies,
     const solvedMomentum& solved,
+    const bool response,
     List<bodyLoad>& loads
 )
 {
     setFluidPart(solved);
 
+    if (response)
+    {
+        response_.update(solved);
+    }
+
     forAll(loads, bodyi)
     {
         if (bands_.selected(bodyi))
         {
-            loads[bodyi].clearLoad();
+            loads[bodyi].clear(response);
         }
     }
 
     for (bodyRegion& region : bands_.regions())
     {
-        if (bands_.selected(region.body()))
+        const label bodyi = region.body();
+
+        if (!bands_.selected(bodyi))
         {
-            add
-            (
-                bodies[region.body()], solved, region, loads[region.body()]
-            );
+            continue;
+        }
+        if (response)
+        {
+            response_.begin(solved, region);
+        }
+
+        add(bodies[bodyi], solved, response, region, loads[bodyi]);
+
+        if (response)
+        {
+            response_.end(region);
         }
     }
 }
@@ -107,9 +124,10 @@ void Foam::bandLoads::add
 (
     const immersedBody& body,
     const solvedMomentum& solved,
+    const bool response,
     bodyRegion& region,
     bodyLoad& load
-) const
+)
 {
     const scalarField& V = mesh_.V();
     const scalarField& K = sums_.K();
@@ -131,6 +149,7 @@ void Foam::bandLoads::add
         const label celli = region.cells[i];
         const vector r(region.x(i) - state.position);
         const vector Ub(moving + (state.omega^r));
+
         vector q(region.share[i]*(gradP[celli] + acceleration(r)));
 
         if (region.resistance[i] > 0)
@@ -144,7 +163,13 @@ void Foam::bandLoads::add
                   + fluidPart_[celli]
                 );
         }
+
         load.addForce(r, V[celli]*q);
+
+        if (response)
+        {
+            response_.addRow(solved, region, i, r, load);
+        }
 
         if (keepForces_)
         {

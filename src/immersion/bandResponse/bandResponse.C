@@ -6,16 +6,15 @@
 Foam::bandResponse::bandResponse
 (
     const fvMesh& mesh,
-    const bodyBands& bands,
+    const cellNeighbours& neighbours,
     const bodySums& sums
 )
 :
     mesh_(mesh),
-    bands_(bands),
+    neighbours_(neighbours),
     sums_(sums),
     delta_(mesh.boundary().size()),
-    weight_(mesh.nCells(), Zero),
-    rows_(mesh.nCells())
+    weight_(mesh.nCells(), Zero)
 {
     forAll(delta_, patchi)
     {
@@ -27,140 +26,82 @@ Foam::bandResponse::bandResponse
 }
 
 
-void Foam::bandResponse::measure
-(
-    const PtrList<immersedBody>& bodies,
-    const solvedMomentum& solved,
-    List<bodyLoad>& loads
-)
+void Foam::bandResponse::update(const solvedMomentum& solved)
 {
-    const List<scalarField> neighbourA(coupledValues(solved.A0));
-    const List<scalarField> neighbourK(coupledValues(sums_.K()));
-
-    for (bodyLoad& load : loads)
-    {
-        load.clearResponse();
-    }
-
-    for (const bodyRegion& region : bands_.regions())
-    {
-        add
-        (
-            solved,
-            neighbourA,
-            neighbourK,
-            region.centre(bodies[region.body()].state()),
-            region,
-            loads[region.body()]
-        );
-    }
+    neighbourA_ = coupledValues(solved.A0);
+    neighbourK_ = coupledValues(sums_.K());
 }
 
 
-void Foam::bandResponse::add
+void Foam::bandResponse::begin
 (
     const solvedMomentum& solved,
-    const List<scalarField>& neighbourA,
-    const List<scalarField>& neighbourK,
-    const point& centre,
-    const bodyRegion& region,
-    bodyLoad& load
+    const bodyRegion& region
 )
 {
-    const vectorField& centres = mesh_.cellCentres();
     const scalarField& A0 = solved.A0;
     const scalarField& K = sums_.K();
 
     forAll(region.cells, i)
     {
         const label celli = region.cells[i];
-        const scalar w = region.resistance[i]/(A0[celli] + K[celli]);
-
-        weight_[celli] = w;
-        rows_[celli] = row{0, Zero};
-        rows_[celli].add
-        (
-            mesh_.V()[celli]
-           *(w*A0[celli] + (1 - w)*region.share[i]*solved.ddt.c),
-            centres[celli] - centre
-        );
-    }
-
-    addInternal(solved.E0, centre, region);
-    addCoupled(solved.E0, neighbourA, neighbourK, centre, region, load);
-
-    for (const label celli : region.cells)
-    {
-        const row& one = rows_[celli];
-
-        load.addResponseRow(one.sum, one.sumR, centres[celli] - centre);
-        weight_[celli] = 0;
+        weight_[celli] = region.resistance[i]/(A0[celli] + K[celli]);
     }
 }
 
 
-void Foam::bandResponse::addInternal
-(
-    const fvVectorMatrix& E0,
-    const point& centre,
-    const bodyRegion& region
-)
+void Foam::bandResponse::end(const bodyRegion& region)
 {
-    const vectorField& centres = mesh_.cellCentres();
-    const scalarField& lower = E0.lower();
-    const scalarField& upper = E0.upper();
-
-    for (const label facei : region.faces)
-    {
-        if (mesh_.isInternalFace(facei))
-        {
-            const label own = mesh_.faceOwner()[facei];
-            const label nei = mesh_.faceNeighbour()[facei];
-            const scalar w = weight_[own]*weight_[nei];
-
-            if (w > 0)
-            {
-                rows_[own].add(w*upper[facei], centres[nei] - centre);
-                rows_[nei].add(w*lower[facei], centres[own] - centre);
-            }
-        }
-    }
+    UIndirectList<scalar>(weight_, region.cells) = 0;
 }
 
 
-void Foam::bandResponse::addCoupled
+void Foam::bandResponse::addRow
 (
-    const fvVectorMatrix& E0,
-    const List<scalarField>& neighbourA,
-    const List<scalarField>& neighbourK,
-    const point& centre,
+    const solvedMomentum& solved,
     const bodyRegion& region,
+    const label i,
+    const vector& r,
     bodyLoad& load
 ) const
 {
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const fvVectorMatrix& E0 = solved.E0;
+    const scalarField& lower = E0.lower();
+    const scalarField& upper = E0.upper();
+    const scalarField& A0 = solved.A0;
+    const vectorField& C = mesh_.cellCentres();
+    const label celli = region.cells[i];
+    const scalar w = weight_[celli];
 
-    for (const label facei : region.faces)
+    scalar sum = mesh_.V()[celli]
+       *(w*A0[celli] + (1 - w)*region.share[i]*solved.ddt.c);
+    vector sumR(sum*r);
+
+    if (w > 0)
     {
-        if (mesh_.isInternalFace(facei))
+        for (const auto& n : neighbours_.of(celli))
         {
-            continue;
+            const scalar a =
+                w*weight_[n.cell()]*(n.owner() ? upper : lower)[n.face()];
+
+            sum += a;
+            sumR += a*(r + (C[n.cell()] - C[celli]));
         }
 
-        const label patchi = patches.patchID()[facei - mesh_.nInternalFaces()];
-        const label i = facei - patches[patchi].start();
-        const label celli = mesh_.faceOwner()[facei];
+        for (const auto& face : neighbours_.onPatches(celli))
+        {
+            if (neighbourA_[face.patch].size())
+            {
+                const scalar A = neighbourA_[face.patch][face.face];
+                const scalar K = neighbourK_[face.patch][face.face];
+                const scalar a = -w*K/(A + K)
+                   *E0.boundaryCoeffs()[face.patch][face.face].x();
 
-        const scalar K = neighbourK[patchi][i];
-        const scalar A = neighbourA[patchi][i];
-        const scalar w = weight_[celli]*K/(A + K);
-        const vector r(mesh_.cellCentres()[celli] - centre);
-
-        load.addResponse
-        (
-            -w*E0.boundaryCoeffs()[patchi][i].x(),
-            r,
-            r + delta_[patchi][i]
-        );
+                sum += a;
+                sumR += a*(r + delta_[face.patch][face.face]);
+            }
+        }
     }
+
+    load.addResponseRow(sum, sumR, r);
 }

@@ -21,7 +21,6 @@ Foam::immersedRegion::immersedRegion
     bands_(search_, surroundings_, periods, resistance_(), bodies),
     sums_(mesh, resistance_(), bands_),
     loads_(mesh, neighbours_, bands_, sums_),
-    response_(mesh, bands_, sums_),
     interior_(search_, bands_)
 {}
 
@@ -73,10 +72,5 @@ void Foam::immersedRegion::load
     List<bodyLoad>& loads
 )
 {
-    loads_.measure(bodies, solved, loads);
-
-    if (response)
-    {
-        response_.measure(bodies, solved, loads);
-    }
+    loads_.measure(bodies, solved, response, loads);
 }

@@ -46,23 +46,21 @@ void forEach(Load& load, Function f)
 
 Foam::bodyLoad::bodyLoad()
 {
-    clearLoad();
-    clearResponse();
+    clear(true);
 }
 
 
-void Foam::bodyLoad::clearLoad()
+void Foam::bodyLoad::clear(const bool response)
 {
     force = torque = Zero;
     volume = slip = 0;
-}
 
-
-void Foam::bodyLoad::clearResponse()
-{
-    a = 0;
-    aRow = aCol = Zero;
-    aRowCol = Zero;
+    if (response)
+    {
+        a = 0;
+        aRow = aCol = Zero;
+        aRowCol = Zero;
+    }
 }
 
 
