@@ -74,20 +74,19 @@ bool Foam::functionObjects::bodyAverages::read(const dictionary& dict)
 Foam::scalar Foam::functionObjects::bodyAverages::meanDiameter() const
 {
     const scalar pi = constant::mathematical::pi;
-    const bodyShare& share = bodies_.list().share();
-    scalar sum = 0;
+    const bool twoD = bodies_.space().twoD();
 
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        if (share.mine(bodyi))
+    const scalar sum = bodies_.list().share().sum<scalar>
+    (
+        [&](const label bodyi)
         {
             const scalar size = bodies_[bodyi].shape().volume();
 
-            sum += bodies_.space().twoD() ? sqrt(4*size/pi) : cbrt(6*size/pi);
+            return twoD ? sqrt(4*size/pi) : cbrt(6*size/pi);
         }
-    }
+    );
 
-    return share.total(sum)/max(bodies_.nBodies(), 1);
+    return sum/max(bodies_.nBodies(), 1);
 }
 
 
@@ -98,18 +97,19 @@ void Foam::functionObjects::bodyAverages::report
 ) const
 {
     const bodyShare& share = bodies_.list().share();
-    scalar exact = 0, inCells = 0, averaged = 0;
-
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        if (share.mine(bodyi))
+    const scalar exact = share.sum<scalar>
+    (
+        [&](const label bodyi)
         {
-            exact += bodies_[bodyi].volume()/bodies_.loads().nParts(bodyi);
-            inCells += fractions.volume(bodyi);
+            return bodies_[bodyi].volume()/bodies_.loads().nParts(bodyi);
         }
-    }
-    exact = share.total(exact);
-    inCells = share.total(inCells);
+    );
+    const scalar inCells = share.sum<scalar>
+    (
+        [&](const label bodyi) { return fractions.volume(bodyi); }
+    );
+    scalar averaged = 0;
+
     forAll(mesh_.V(), celli)
     {
         averaged += mesh_.V()[celli]

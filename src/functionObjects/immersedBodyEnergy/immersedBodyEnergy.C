@@ -24,17 +24,15 @@ Foam::vector sums(const Foam::immersedBodies& bodies)
 {
     using namespace Foam;
 
-    vector sum(Zero);
-
-    for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
-    {
-        const immersedBody& body = bodies[bodyi];
-        const bodyState& s = body.state();
-        const scalar r = body.densityRatio();
-
-        if (bodies.list().share().mine(bodyi))
+    return bodies.list().share().sum<vector>
+    (
+        [&](const label bodyi)
         {
-            sum += vector
+            const immersedBody& body = bodies[bodyi];
+            const bodyState& s = body.state();
+            const scalar r = body.densityRatio();
+
+            return vector
             (
                 0.5*r*body.volume()*magSqr(s.U),
                 0.5*r*(s.omega & body.inertia(s) & s.omega),
@@ -42,9 +40,7 @@ Foam::vector sums(const Foam::immersedBodies& bodies)
                *(bodies.g() & body.motion().unwrapped())
             );
         }
-    }
-
-    return bodies.list().share().total(sum);
+    );
 }
 
 } // End anonymous namespace

@@ -188,17 +188,14 @@ void Foam::surfaceFile::writeData()
 
 void Foam::surfaceFile::write()
 {
-    labelVector n(Zero);
-
-    forAll(list_, bodyi)
-    {
-        if (list_.share().mine(bodyi))
+    const labelVector n = list_.share().sum<labelVector>
+    (
+        [&](const label bodyi)
         {
             findSurface(bodyi);
-            n += labelVector(1, points_.size(), faces_.size());
+            return labelVector(1, points_.size(), faces_.size());
         }
-    }
-    n = list_.share().total(n);
+    );
 
     format_->xmlHeader();
     format_->beginVTKFile<vtk::fileTag::POLY_DATA>();

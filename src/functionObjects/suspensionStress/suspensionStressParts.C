@@ -69,29 +69,24 @@ void Foam::functionObjects::suspensionStress::updateBodies
 {
     const bodyShare& share = bodies_.list().share();
     const contactMoments& contacts = bodies_.contacts().moments();
-    const part ofBodies[] = {particle, inertia, contact, film};
-
-    for (const part parti : ofBodies)
-    {
-        parts_[parti] = tensor::zero;
-    }
-    for (label bodyi = 0; bodyi < bodies_.size(); ++bodyi)
-    {
-        if (share.mine(bodyi))
-        {
-            parts_[particle] += tractions.surface(bodyi);
-            parts_[inertia] += tractions.inertia(bodyi);
-            parts_[contact] += contacts.contact(bodyi);
-            parts_[film] += contacts.film(bodyi);
-        }
-    }
-
     const scalar volume = gSum(mesh_.V());
 
-    for (const part parti : ofBodies)
-    {
-        parts_[parti] = share.total(parts_[parti])/volume;
-    }
+    parts_[particle] = share.sum<tensor>
+    (
+        [&](const label i) { return tractions.surface(i); }
+    )/volume;
+    parts_[inertia] = share.sum<tensor>
+    (
+        [&](const label i) { return tractions.inertia(i); }
+    )/volume;
+    parts_[contact] = share.sum<tensor>
+    (
+        [&](const label i) { return contacts.contact(i); }
+    )/volume;
+    parts_[film] = share.sum<tensor>
+    (
+        [&](const label i) { return contacts.film(i); }
+    )/volume;
 }
 
 

@@ -98,14 +98,10 @@ bool Foam::bodyList::atRest() const
 
 Foam::label Foam::bodyList::nAsleep() const
 {
-    label n = 0;
-
-    forAll(*this, bodyi)
-    {
-        n += share_->mine(bodyi) && operator[](bodyi).status().asleep();
-    }
-
-    return share_->total(n);
+    return share_->sum<label>
+    (
+        [&](const label i) { return operator[](i).status().asleep(); }
+    );
 }
 
 

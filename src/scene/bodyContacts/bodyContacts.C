@@ -125,14 +125,10 @@ void Foam::bodyContacts::report
 
     if (lubrication_->active())
     {
-        label nOthers = 0;
-
-        forAll(bodies, bodyi)
-        {
-            nOthers +=
-                bodies.share().mine(bodyi) && !bodies[bodyi].shape().round();
-        }
-        nOthers = bodies.share().total(nOthers);
+        const label nOthers = bodies.share().sum<label>
+        (
+            [&](const label i) { return !bodies[i].shape().round(); }
+        );
 
         os  << "    lubrication: ";
         lubrication_->report(os);

@@ -34,25 +34,21 @@ void Foam::bodyCrowd::find(const immersedRegion& region, const bool may)
     before_ = active_;
 
     // Free ones, light ones among these, and others that move
-    labelVector n(Zero);
-
-    forAll(bodies_, bodyi)
-    {
-        const immersedBody& body = bodies_[bodyi];
-
-        if (body.resolved() && bodies_.share().mine(bodyi))
+    const labelVector n = bodies_.share().sum<labelVector>
+    (
+        [&](const label bodyi)
         {
-            const bool free = body.isFree();
+            const immersedBody& body = bodies_[bodyi];
+            const bool free = body.resolved() && body.isFree();
 
-            n += labelVector
+            return labelVector
             (
                 free,
                 free && body.densityRatio() < leastRatio,
-                !free && body.maxSpeed() > 0
+                body.resolved() && !body.isFree() && body.maxSpeed() > 0
             );
         }
-    }
-    n = bodies_.share().total(n);
+    );
 
     towed_ = n[2] > 0;
     active_ =

@@ -27,17 +27,11 @@ Foam::label Foam::bodyHandover::fewest()
 
 bool Foam::bodyHandover::many() const
 {
-    label nResolved = 0, nUnresolved = 0;
-
-    forAll(bodies_, bodyi)
-    {
-        if (share_.mine(bodyi))
-        {
-            ++(bodies_[bodyi].resolved() ? nResolved : nUnresolved);
-        }
-    }
-    nResolved = share_.total(nResolved);
-    nUnresolved = share_.total(nUnresolved);
+    const label nResolved = share_.sum<label>
+    (
+        [&](const label i) { return bodies_[i].resolved(); }
+    );
+    const label nUnresolved = share_.nAll() - nResolved;
 
     return
         share_.wasSpread() || nResolved >= fewest()

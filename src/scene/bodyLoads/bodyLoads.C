@@ -98,16 +98,15 @@ void Foam::bodyLoads::noteUnresolved(const unresolvedCoupling& coupling)
 Foam::scalar Foam::bodyLoads::slip() const
 {
     // Of squares, and volume
-    vector2D sums(Zero);
-
-    forAll(loads_, bodyi)
-    {
-        if (bodies_[bodyi].resolved() && bodies_.share().mine(bodyi))
+    const vector2D sums = bodies_.share().sum<vector2D>
+    (
+        [&](const label bodyi)
         {
-            sums += vector2D(loads_[bodyi].slip, loads_[bodyi].volume);
+            return bodies_[bodyi].resolved()
+              ? vector2D(loads_[bodyi].slip, loads_[bodyi].volume)
+              : vector2D(Zero);
         }
-    }
-    sums = bodies_.share().total(sums);
+    );
 
     return Foam::sqrt(sums.x()/max(sums.y(), VSMALL));
 }

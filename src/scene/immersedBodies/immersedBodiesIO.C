@@ -26,19 +26,23 @@ void Foam::immersedBodies::report(Ostream& os) const
 
     const bodyShare& share = bodies_.share();
     scalar fewest = GREAT, most = 0;
-    label nFree = 0, nFixed = 0;
 
     forAll(bodies_, bodyi)
     {
         fewest = min(fewest, cellsPerWidth(bodyi));
         most = max(most, cellsPerWidth(bodyi));
-        nFree += share.mine(bodyi) && bodies_[bodyi].isFree();
-        nFixed += share.mine(bodyi) && bodies_[bodyi].isFixed();
     }
     fewest = -share.largest(-fewest);
     most = share.largest(most);
-    nFree = share.total(nFree);
-    nFixed = share.total(nFixed);
+
+    const label nFree = share.sum<label>
+    (
+        [&](const label i) { return bodies_[i].isFree(); }
+    );
+    const label nFixed = share.sum<label>
+    (
+        [&](const label i) { return bodies_[i].isFixed(); }
+    );
 
     os  << nl << "    motion: " << nFree << " free, " << nFixed << " fixed, "
         << nBodies() - nFree - nFixed << " prescribed";

@@ -201,29 +201,22 @@ void Foam::meshWindow::follow(const bodyList& bodies)
     }
 
     const bodyShare& share = bodies.share();
-    vector sum(Zero);
-    label n = 0;
-
-    forAll(bodies, bodyi)
+    const auto followed = [&](const label bodyi)
     {
-        const immersedBody& body = bodies[bodyi];
-
-        if
-        (
-            share.mine(bodyi)
-         && (follow_.empty() || body.name() == follow_)
-        )
-        {
-            sum += body.state().U;
-            ++n;
-        }
-    }
-
-    sum = share.total(sum);
-    n = share.total(n);
+        return follow_.empty() || bodies[bodyi].name() == follow_;
+    };
+    const label n = share.sum<label>(followed);
 
     if (n)
     {
+        const vector sum = share.sum<vector>
+        (
+            [&](const label bodyi)
+            {
+                return followed(bodyi) ? bodies[bodyi].state().U : vector(Zero);
+            }
+        );
+
         velocity_ = along(sum/n);
     }
 }
