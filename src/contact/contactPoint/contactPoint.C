@@ -6,10 +6,7 @@
 
 Foam::pointField Foam::contactPoint::surface(const immersedBody& body)
 {
-    pointField x;
-    faceList faces;
-    body.shape().surface(x, faces);
-
+    pointField x(body.shape().surfacePoints());
     const bodyState& state = body.state();
     const tensor R(state.orientation.R());
 
@@ -30,7 +27,7 @@ Foam::label Foam::contactPoint::average
 )
 {
     const label nearest = findMin(gaps);
-    const scalar range = 0.01*width;
+    const scalar range = nearlySmallest(width);
     scalar sum = 0;
 
     gap = gaps[nearest];

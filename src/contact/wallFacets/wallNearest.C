@@ -36,10 +36,17 @@ void Foam::wallFacets::meetCorners
     const immersedBody& body,
     const UList<point>& corners,
     const facet& f,
+    const scalar reach,
     contactPoint& c
 ) const
 {
     const scalar R = body.shape().boundingRadius();
+    const scalar width = body.shape().width();
+
+    if (f.leastDistance(body.state().position) > R + reach)
+    {
+        return;
+    }
 
     // Corners of the body on the face, and points of the face in the body
     pointField x(f.points);
@@ -47,8 +54,16 @@ void Foam::wallFacets::meetCorners
     scalarField gaps(x.size());
     body.posed().distance(x, gaps);
 
+    scalar least = min(gaps);
+
     for (const point& y : corners)
     {
+        // Most are too high to count
+        if (f.leastHeight(y) > least + contactPoint::nearlySmallest(width))
+        {
+            continue;
+        }
+
         const point foot(f.nearest(y));
         const scalar height = (y - foot) & f.normal;
 
@@ -56,10 +71,11 @@ void Foam::wallFacets::meetCorners
         {
             x.append(foot);
             gaps.append(height);
+            least = min(least, height);
         }
     }
 
-    c.average(x, gaps, body.shape().width());
+    c.average(x, gaps, width);
     c.normal = -f.normal;
 }
 
@@ -93,7 +109,7 @@ Foam::List<Foam::contactPoint> Foam::wallFacets::nearest
         }
         else if (!smooth)
         {
-            meetCorners(body, corners, f, c);
+            meetCorners(body, corners, f, reach, c);
         }
     }
     if (smooth)

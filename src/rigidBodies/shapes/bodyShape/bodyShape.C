@@ -165,3 +165,17 @@ Foam::autoPtr<Foam::bodyShape> Foam::bodyShape::makeScaled
 
     return New(own, space);
 }
+
+
+const Foam::pointField& Foam::bodyShape::surfacePoints() const
+{
+    if (!surfacePoints_.valid())
+    {
+        pointField points;
+        faceList faces;
+        surface(points, faces);
+        surfacePoints_.reset(new pointField(std::move(points)));
+    }
+
+    return surfacePoints_();
+}
