@@ -174,10 +174,8 @@ def test_held(tmp_path):
     assert count(happened, "held", "outlet") == 2
 
 
-@pytest.mark.parametrize(
-    "coupling",
-    [pytest.param("unresolved", marks=pytest.mark.nightly), "auto"],
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize("coupling", ["unresolved", "auto"])
 def test_others_enter(coupling, tmp_path):
     """Such that the mesh does not resolve; or it decides on that."""
     happened = run_on_ranks(

@@ -168,7 +168,7 @@ TEST_CASE("Superellipsoid: distance deep inside", "[shapes]")
 }
 
 
-TEST_CASE("Superellipsoid: volume, inertia, extent", "[shapes]")
+TEST_CASE("Superellipsoid: volume, inertia, extent", "[shapes][oneRank]")
 {
     const auto exponents = GENERATE
     (
