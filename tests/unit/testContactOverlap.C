@@ -116,3 +116,57 @@ TEST_CASE("Overlap is the least over all directions", "[contact]")
     }
     CHECK(nOverlap > 15);
 }
+
+
+TEST_CASE("Points that are left out do not count", "[contact]")
+{
+    // Of triangles contact is nothing but that of the points of either
+    const geometricSpace space(-1);
+    const testTools::TemporaryFolder folder;
+    const std::string file(folder.path()/"rod.stl");
+    testTools::writeStl
+    (
+        file, *testTools::shape(cylinder, space), 1, vector::zero, false
+    );
+    const std::string rod("type triSurface; file \"" + file + "\";");
+    testTools::RandomNumbers random;
+
+    const auto nearest = [](const immersedBody& of, const immersedBody& to)
+    {
+        const pointField x(contactPoint::surface(of));
+        scalarField gaps(x.size());
+        to.posed().distance(x, gaps);
+
+        contactPoint c;
+        c.average(x, gaps, of.shape().width());
+        return c;
+    };
+
+    for (label pose = 0; pose < 60; ++pose)
+    {
+        const immersedBody a
+        (
+            placed(rod, {0, 0, 0}, random.vector(), 1.3).body()
+        );
+        const immersedBody b
+        (
+            placed(rod, 2*random.vector(), random.vector(), 2).body()
+        );
+        const contactPoint ofa(nearest(a, b)), ofb(nearest(b, a));
+        const contactPoint& plain = ofb.gap <= ofa.gap ? ofb : ofa;
+        const contactPoint c(a, b, vector::zero);
+        CAPTURE(pose);
+
+        CHECK(c.gap == Approx(plain.gap).margin(1e-12));
+        CHECK
+        (
+            mag(c.position - plain.position)
+         == Approx(0.5*mag(c.gap)*mag(c.normal)).margin(1e-9)
+        );
+
+        const vector n(normalised(random.vector()));
+        const scalar reach = n & (a.posed().support(n) - a.state().position);
+        const pointField x(contactPoint::surface(a));
+        CHECK(reach == Approx(max(x & n)).margin(1e-12));
+    }
+}

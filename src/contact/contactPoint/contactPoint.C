@@ -4,6 +4,70 @@
 #include "separatingAxes.H"
 #include "separatingPlane.H"
 
+namespace
+{
+
+//- Points of the display surface of b, moved by shift [m], but for those that
+//  are too far from a to be among those nearest to it
+Foam::pointField nearPoints
+(
+    const Foam::immersedBody& a,
+    const Foam::immersedBody& b,
+    const Foam::vector& shift
+)
+{
+    using namespace Foam;
+
+    if (!a.shape().hasExtent() || !b.shape().hasExtent())
+    {
+        return contactPoint::surface(b) + shift;
+    }
+
+    separatingPlane planes(a, b, shift);
+    planes.begin();
+
+    // Centres may be in one point
+    if (planes.normal() == vector::zero)
+    {
+        return contactPoint::surface(b) + shift;
+    }
+
+    const pointField& X = b.shape().surfacePoints();
+    const tensor R(b.state().orientation.R());
+    const point centre(b.state().position + shift);
+    auto place = [&](const point& Xi) { return point(centre + (R & Xi)); };
+
+    // Lower bounds of their distances: heights over a plane that touches a
+    const vector& n = planes.normal();
+    const scalar least = n & (centre - a.posed().support(n));
+    const vector inBody(R.T() & n);
+    scalarField heights(X.size());
+
+    forAll(X, i)
+    {
+        heights[i] = least + (X[i] & inBody);
+    }
+
+    const scalar most =
+        a.posed().distance(place(X[findMin(heights)]))
+      + contactPoint::nearlySmallest(b.shape().width());
+
+    DynamicList<point> x(X.size());
+
+    forAll(X, i)
+    {
+        if (heights[i] <= most)
+        {
+            x.append(place(X[i]));
+        }
+    }
+
+    return pointField(std::move(x));
+}
+
+} // End anonymous namespace
+
+
 Foam::pointField Foam::contactPoint::surface(const immersedBody& body)
 {
     pointField x(body.shape().surfacePoints());
@@ -53,7 +117,7 @@ void Foam::contactPoint::sample
     const vector& shift
 )
 {
-    const pointField x(surface(b) + shift);
+    const pointField x(nearPoints(a, b, shift));
     scalarField gaps(x.size());
     a.posed().distance(x, gaps);
 

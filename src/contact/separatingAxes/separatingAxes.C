@@ -11,7 +11,7 @@ Foam::separatingAxes::solid Foam::separatingAxes::make
 {
     const tensor R(body.state().orientation.R());
     const point centre(body.state().position + shift);
-    bodyShape::edgedSides sides(body.shape().sides());
+    bodyShape::edgedSides sides(body.shape().knownSides());
 
     for (DynamicList<vector>* directions : {&sides.faces, &sides.edges})
     {

@@ -73,7 +73,7 @@ bool Foam::contactModels::softSphere::apart
     {
         return true;
     }
-    if (a.round || !a.smooth)
+    if (!a.extent)
     {
         return false;
     }
@@ -83,7 +83,7 @@ bool Foam::contactModels::softSphere::apart
 }
 
 
-bool Foam::contactModels::softSphere::nearestSmooth
+bool Foam::contactModels::softSphere::nearestRound
 (
     const immersedBody& a,
     const immersedBody& b,
@@ -91,17 +91,26 @@ bool Foam::contactModels::softSphere::nearestSmooth
     contactPoint& point
 )
 {
-    if (a.shape().round() || b.shape().round())
-    {
-        point = contactPoint(a, b, candidates()[candidatei].shift);
-        clearance_.measured(candidatei, point.gap);
+    point = contactPoint(a, b, candidates()[candidatei].shift);
+    clearance_.measured(candidatei, point.gap);
 
-        return !clearance_.apart(candidatei);
-    }
+    return !clearance_.apart(candidatei);
+}
+
+
+bool Foam::contactModels::softSphere::nearestPlanes
+(
+    const immersedBody& a,
+    const immersedBody& b,
+    const label candidatei,
+    contactPoint& point
+)
+{
+    const vector& shift = candidates()[candidatei].shift;
+    const vector known(clearance_.normal(candidatei));
 
     // Films are between round bodies: surfaces may come as near as they like
-    separatingPlane planes(a, b, candidates()[candidatei].shift);
-    const vector known(clearance_.normal(candidatei));
+    separatingPlane planes(a, b, shift);
 
     if (known == vector::zero)
     {
@@ -110,17 +119,28 @@ bool Foam::contactModels::softSphere::nearestSmooth
     else
     {
         planes.set(known);
-        clearance_.measured(candidatei, planes.gap());
-        if (clearance_.apart(candidatei))
-        {
-            return false;
-        }
     }
 
-    planes.climb();
     clearance_.setNormal(candidatei, planes.normal());
     clearance_.measured(candidatei, planes.gap());
-    point = contactPoint(planes);
+    if (clearance_.apart(candidatei))
+    {
+        return false;
+    }
+
+    if (a.shape().hasSupport() && b.shape().hasSupport())
+    {
+        planes.climb();
+        point = contactPoint(planes);
+    }
+    else
+    {
+        // Its gap may be more than that of planes normal to it
+        point = contactPoint(a, b, shift);
+        planes.set(point.normal);
+    }
+    clearance_.setNormal(candidatei, planes.normal());
+    clearance_.measured(candidatei, planes.gap());
 
     return !clearance_.apart(candidatei);
 }
@@ -152,9 +172,13 @@ bool Foam::contactModels::softSphere::nearest
     a.place(bodya);
     b.place(bodyb);
 
-    if (a.smooth && b.smooth)
+    if (a.round || b.round)
     {
-        return nearestSmooth(bodya, bodyb, candidatei, point);
+        return nearestRound(bodya, bodyb, candidatei, point);
+    }
+    if (a.extent && b.extent)
+    {
+        return nearestPlanes(bodya, bodyb, candidatei, point);
     }
     point = contactPoint(bodya, bodyb, c.shift);
 

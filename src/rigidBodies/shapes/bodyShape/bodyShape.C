@@ -167,6 +167,17 @@ Foam::autoPtr<Foam::bodyShape> Foam::bodyShape::makeScaled
 }
 
 
+const Foam::bodyShape::edgedSides& Foam::bodyShape::knownSides() const
+{
+    if (!sides_)
+    {
+        sides_.reset(new edgedSides(sides()));
+    }
+
+    return *sides_;
+}
+
+
 const Foam::pointField& Foam::bodyShape::surfacePoints() const
 {
     if (!surfacePoints_.valid())

@@ -272,6 +272,14 @@ Foam::autoPtr<Foam::bodyShape> Foam::bodyShapes::triSurfaceShape::makeScaled
 }
 
 
+Foam::point Foam::bodyShapes::triSurfaceShape::support(const vector& n) const
+{
+    const pointField& points = surface_.localPoints();
+
+    return points[findMax(scalarField(points & n))];
+}
+
+
 void Foam::bodyShapes::triSurfaceShape::surface
 (
     pointField& points,
