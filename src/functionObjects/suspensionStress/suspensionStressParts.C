@@ -9,6 +9,7 @@
 #include "surfaceInterpolate.H"
 #include "suspensionStress.H"
 #include "turbulentTransportModel.H"
+#include <functional>
 
 void Foam::functionObjects::suspensionStress::updateFluid
 (
@@ -71,22 +72,19 @@ void Foam::functionObjects::suspensionStress::updateBodies
     const contactMoments& contacts = bodies_.contacts().moments();
     const scalar volume = gSum(mesh_.V());
 
-    parts_[particle] = share.sum<tensor>
-    (
-        [&](const label i) { return tractions.surface(i); }
-    )/volume;
-    parts_[inertia] = share.sum<tensor>
-    (
-        [&](const label i) { return tractions.inertia(i); }
-    )/volume;
-    parts_[contact] = share.sum<tensor>
-    (
-        [&](const label i) { return contacts.contact(i); }
-    )/volume;
-    parts_[film] = share.sum<tensor>
-    (
-        [&](const label i) { return contacts.film(i); }
-    )/volume;
+    typedef std::function<tensor(const label)> ofBody;
+    const std::pair<part, ofBody> ofBodies[] =
+    {
+        {particle, [&](const label i) { return tractions.surface(i); }},
+        {inertia, [&](const label i) { return tractions.inertia(i); }},
+        {contact, [&](const label i) { return contacts.contact(i); }},
+        {film, [&](const label i) { return contacts.film(i); }}
+    };
+
+    for (const auto& one : ofBodies)
+    {
+        parts_[one.first] = share.sum<tensor>(one.second)/volume;
+    }
 }
 
 

@@ -101,6 +101,12 @@ Foam::scalar Foam::bodyShape::distance(const point& X) const
 }
 
 
+bool Foam::bodyShape::hasExtent() const
+{
+    return hasSupport() || !knownSides().faces.empty();
+}
+
+
 Foam::point Foam::bodyShape::support(const vector&) const
 {
     FatalErrorInFunction
